@@ -17,7 +17,7 @@ from rcj_challenges.records.referee_log import RefereeLog
 from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.scenario.halves import by_seat, half_length_s
+from rcj_challenges.scenario.halves import by_seat, half_length_s, in_half
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
@@ -108,7 +108,7 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
         if track.start is None or over:
             break
         info = _info(track.info, scenario, carry_over)
-        referee = Referee(scenario, roster, info)
+        referee = Referee(in_half(scenario, info.half), roster, info)
         half, judged, over = _judge_half(track, referee, info)
         halves.append(half)
         # As JSON they can be compared with those of a record.

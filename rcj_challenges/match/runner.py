@@ -26,7 +26,7 @@ from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.result import MemberResult
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.robots.fitting import fit, robot_specs
-from rcj_challenges.scenario.halves import by_seat, half_length_s, half_lengths_s, teams_by_seat
+from rcj_challenges.scenario.halves import by_seat, half_length_s, half_lengths_s, in_half, teams_by_seat
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.submissions.team import SuperTeam, Team
 
@@ -180,7 +180,7 @@ class _MatchRunner:
 
     def _play_half(self, number: int, record: RecordWriter) -> LoopResult:
         """Play one half with a fresh world and fresh processes; programs start while the world is compiled."""
-        plan, scenario, roster = self._plan, self._scenario, self._roster
+        plan, scenario, roster = self._plan, in_half(self._scenario, number), self._roster
         half = self._half_info(number)
         specs = robot_specs(scenario, roster, fit(scenario, roster))
         pool_plan = PoolPlan(scenario.limits, half.half, plan.seed, record.logs, sandbox=plan.sandbox, debug=plan.debug)

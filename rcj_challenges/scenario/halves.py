@@ -3,7 +3,7 @@
 A half is longer than its length where a phase stops the clock. A *seat* is an entrant of the scenario (``blue``): it
 owns robots and a goal. A *team* is what a seat holds in the first half, and keeps that name for the whole match. With
 ``swap_sides`` two teams exchange seats after each half. The match, tests and readers of records all use this module,
-so that they agree.
+so that they agree. A team may have kits of its own, which it takes along.
 """
 
 from __future__ import annotations
@@ -48,6 +48,22 @@ def teams_by_seat(scenario: Scenario, half: int) -> dict[str, str]:
     seats = list(scenario.entrants)
     teams = seats[::-1] if scenario.match.swap_sides and half % 2 == 0 else seats
     return dict(zip(seats, teams, strict=True))
+
+
+def in_half(scenario: Scenario, half: int) -> Scenario:
+    """Return the scenario of a half, in which each robot has the kit of the team that drives it there."""
+    seats = teams_by_seat(scenario, half)
+    kits = {
+        robot: kit
+        for seat, team in seats.items()
+        for robot, kit in zip(scenario.entrants[seat].robots, scenario.entrants[team].kits, strict=False)
+    }
+    if not kits:
+        return scenario
+    robots = {
+        name: robot.model_copy(update={"kit": kits.get(name, robot.kit)}) for name, robot in scenario.robots.items()
+    }
+    return scenario.model_copy(update={"robots": robots})
 
 
 def by_seat(by_team: Mapping[str, Score], teams: Mapping[str, str]) -> dict[str, Score]:

@@ -16,7 +16,7 @@ from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
-from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
+from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_half, longest_half_s
 from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
@@ -60,6 +60,7 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
         yield from _measured(rule, ("rules", name), rule, scenario, roster)
     yield from _measured(scenario.broadcast, ("broadcast",), None, scenario, roster)
     yield from _robots(scenario, roster)
+    yield from dict.fromkeys(_kits_of_teams(scenario))
     yield from _entrants(scenario)
 
 
@@ -224,12 +225,23 @@ def _robots(scenario: Scenario, roster: Roster) -> Iterator[Issue]:
         kit_of_robot = scenario.kits.get(robot.kit)
         if kit_of_robot is None:
             continue
-        yield from _devices(robot.devices, kit_of_robot.chassis, ("robots", name))
         for index, device in enumerate(robot.without):
             if device not in kit_of_robot.devices:
                 message = f"kit '{robot.kit}' has no device '{device}'"
                 help_ = choice_of(device, kit_of_robot.devices)
                 yield Issue("unknown-name", ("robots", name, "without", index), message, help_)
+
+
+def _kits_of_teams(scenario: Scenario) -> Iterator[Issue]:
+    """Yield the mistakes in kits that teams bring along, and in devices of robots on the chassis that they have."""
+    for name, entrant in scenario.entrants.items():
+        if entrant.kits and len(entrant.kits) != len(entrant.robots):
+            message, help_ = f"{len(entrant.kits)} kits for {len(entrant.robots)} robots", "give one for each, in order"
+            yield Issue("wrong-value", ("entrants", name, "kits"), message, help_)
+    for half in (1, 2):
+        for name, robot in in_half(scenario, half).robots.items():
+            if robot.kit in scenario.kits:
+                yield from _devices(robot.devices, scenario.kits[robot.kit].chassis, ("robots", name))
 
 
 def _devices(devices: Mapping[str, Device], chassis: Chassis, path: Path) -> Iterator[Issue]:

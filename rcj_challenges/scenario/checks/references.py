@@ -57,7 +57,8 @@ class _Walker:
         self.removed = removed
         # A value of a draw may be wrong for several words that use it: it is reported once.
         self.issues: dict[tuple[str, Path], Issue] = {}
-        kits = (node_at(root, ("robots", robot, "kit")) for robot in roster.names("robots"))
+        kits = [node_at(root, ("robots", robot, "kit")) for robot in roster.names("robots")]
+        kits += [node_at(root, ("entrants", entrant, "kits")) for entrant in roster.names("entrants")]
         self.kits_in_use = {name for kit in kits for name in texts(kit)}
 
     def walk(self, node: Node, shape: Shape, path: Path, scope: Scope) -> None:

@@ -77,4 +77,10 @@ class Entrant(Strict):
     radio_channel: int = described(
         2, "team radio channel of all robots that it drives, whatever their colour", ge=1, le=1000
     )
+    kits: Annotated[tuple[Name, ...], SectionRef("kit", ("kits",))] = Field(
+        (),
+        strict=False,
+        description="kits of the team that starts in this seat, in the order of `robots`: they stay with it when sides "
+        "change; left out: the robots' own",
+    )
     title: str = described("", "name shown for the seat if no team name is given", max_length=64)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.phrasing import degrees
+from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kit_devices import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
@@ -295,13 +296,13 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
 
 def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Section:
     entries: list[Entry] = []
-    boxes = False
+    first_half, boxes = in_half(scenario, 1), False
     for name, robot in scenario.robots.items():
         pose, noise_m = poses[name], start_noise_m(scenario, name)
         if pose is None:
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
-        kit, at, ink = kit_of(scenario, name), pose[:2], text_on(rgb(robot.colour))
+        kit, at, ink = kit_of(first_half, name), pose[:2], text_on(rgb(robot.colour))
         size_m = kit.chassis.size_m
         shifts = any(noise_m) and pose == start_pose(scenario, name)
         if shifts:

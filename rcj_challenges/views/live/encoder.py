@@ -25,7 +25,7 @@ from rcj_challenges.views.naming import changes_sides, distinct_names
 from rcj_challenges.views.replay.events import EventFacts, half_facts
 from rcj_challenges.views.replay.packing import FINEST_M, place_at_start, rounded_poses, units
 from rcj_challenges.views.replay.page import fault_facts, team_facts
-from rcj_challenges.views.replay.things import visible_things
+from rcj_challenges.views.replay.things import bodies_in, visible_things
 from rcj_challenges.views.timeline import TimelineBuilder
 
 _MAX_TICKS_AT_ONCE = 2_000
@@ -173,4 +173,5 @@ class LiveObserver(Observer):
             **half_facts(self._builder.timeline.halves[half.half], half.ticks),
             "jumps": [],
             "faults": [],
+            "bodies": bodies_in(self._scenario, half.half),
         }

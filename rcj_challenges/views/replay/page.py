@@ -27,7 +27,7 @@ from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.replay.events import EventFacts, half_facts
 from rcj_challenges.views.replay.packing import Frames, frames_of, length_unit, packed, units
 from rcj_challenges.views.replay.sensor_blocks import output_block, sensor_block, sensor_facts
-from rcj_challenges.views.replay.things import visible_things
+from rcj_challenges.views.replay.things import bodies_in, visible_things
 from rcj_challenges.views.scoreboard import ranking_rows
 from rcj_challenges.views.timeline import HalfTimeline, timeline_of
 
@@ -144,7 +144,8 @@ def _facts(run: RunRecord, frames: list[Frames], unit_m: float) -> dict[str, Any
         "halves_planned": halves[0].info.halves,
         "channels": [{"name": name, "unit": worth[name]} for name in frames[0].columns],
         "halves": [
-            _half(half, moving, timeline.halves[half.info.half]) for half, moving in zip(halves, frames, strict=True)
+            _half(half, moving, timeline.halves[half.info.half]) | {"bodies": bodies_in(run.scenario, half.info.half)}
+            for half, moving in zip(halves, frames, strict=True)
         ],
         "events": EventFacts(run.scenario, titles(run.scenario, result)).of_timeline(timeline),
         "places": places(run.scenario, result),

@@ -6,8 +6,10 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kit_devices import kit_of
 from rcj_challenges.scenario.models.field import Wall
+from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import fixed_spots
@@ -29,7 +31,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
             "corner_cut_m": field.corner_cut_m,
             "goals": [_coloured(goal) for goal in field.goals.values()],
         },
-        "entities": [_entity(scenario, name) for name in roster.entities],
+        "entities": [_entity(in_half(scenario, 1), name) for name in roster.entities],
         "fixed": [_coloured(thing) for name, thing in scenario.obstacles.items() if name not in roster.entities],
         "zones": [
             {"name": name, **zone.model_dump(mode="json"), "colour": zone_colour(scenario, name)}
@@ -99,8 +101,6 @@ def _entity(scenario: Scenario, name: str) -> dict[str, Any]:
 
 def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
     robot = scenario.robots[name]
-    kit = kit_of(scenario, name)
-    chassis, solids = kit.chassis, kit.chassis.solids()
     seat = next((seat for seat, entrant in scenario.entrants.items() if name in entrant.robots), None)
     return {
         "name": name,
@@ -109,6 +109,22 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
         "colour": css_colour(robot.colour),
         "seat": seat,
         "idle": robot.idle,
+        **_body(kit_of(scenario, name)),
+    }
+
+
+def bodies_in(scenario: Scenario, half: int) -> dict[str, dict[str, Any]]:
+    """Return what robots look like in a half, by their numbers as text; empty if that is the same in all halves."""
+    if not any(entrant.kits for entrant in scenario.entrants.values()):
+        return {}
+    here = in_half(scenario, half)
+    robots = Roster.of(scenario).entities[: len(scenario.robots)]
+    return {str(index): _body(kit_of(here, name)) for index, name in enumerate(robots)}
+
+
+def _body(kit: Kit) -> dict[str, Any]:
+    chassis, solids = kit.chassis, kit.chassis.solids()
+    return {
         "front": 1 if kit.looks_along == "+x" else -1,
         "size_m": chassis.size_m,
         "height_m": chassis.height_m,

@@ -9,6 +9,7 @@ from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.devices.team_receiver import TeamReceiverDevice
 from rcj_challenges.robots.channels import entrant_of, team_channels
 from rcj_challenges.rules.phrasing import heading, listed, metres_alike, plain
+from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -20,7 +21,10 @@ _RADIO = (TeamEmitterDevice, TeamReceiverDevice)
 
 
 def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
-    """Yield the facts of the robots."""
+    """Yield the facts of the robots, in the first half if teams take theirs along."""
+    if scenario.match.swap_sides and any(entrant.kits for entrant in scenario.entrants.values()):
+        yield "Teams take their robots along when they change sides; these are those of the first half."
+    scenario = in_half(scenario, 1)
     owners = entrant_of(scenario)
     rows = [
         (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit, _start(robot.start))

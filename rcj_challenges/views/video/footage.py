@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +17,13 @@ from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.naming import titles
 from rcj_challenges.views.replay.events import EventFacts
 from rcj_challenges.views.replay.packing import frames_of, length_unit, units
-from rcj_challenges.views.replay.things import visible_things
+from rcj_challenges.views.replay.things import bodies_in, visible_things
 from rcj_challenges.views.standing import counted_line, shows_score
 from rcj_challenges.views.timeline import Timeline, timeline_of
 
@@ -132,6 +133,14 @@ class Footage:
             titles=names,
             warnings=run.problems,
         )
+
+    def dressed(self, half: int) -> Footage:
+        """Return it with the bodies that robots have in a half; the same if they have them in all."""
+        bodies = bodies_in(self.scenario, half)
+        if not bodies:
+            return self
+        entities = [facts | bodies.get(str(index), {}) for index, facts in enumerate(self.things["entities"])]
+        return replace(self, scenario=in_half(self.scenario, half), things={**self.things, "entities": entities})
 
     def half(self, number: int) -> HalfFootage:
         """Return a half by its number (from 1)."""

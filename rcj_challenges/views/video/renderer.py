@@ -26,20 +26,33 @@ class SceneRenderer:
     """
 
     def __init__(self, footage: Footage, size: tuple[int, int], camera: Camera, *, fine: bool) -> None:
-        self._footage, self._size, self._camera = footage, size, camera
+        self._footage, self._size, self._camera, self._fine = footage, size, camera, fine
         self._entities = footage.things["entities"]
-        self._model = build_scene(footage, size, fine=fine)
-        self._data: Any = mujoco.MjData(self._model)
-        try:
-            self._renderer: Any = mujoco.Renderer(self._model, size[1], size[0])
-        except mujoco.FatalError as error:
-            raise RuntimeError(str(error)) from error
+        self._shown: Footage | None = None
+        self._renderer: Any = None
+        self._dress(footage.halves[0].info.half)
         self._option: Any = mujoco.MjvOption()
         self._option.geomgroup[:] = 1
         self._camera_state: Any = mujoco.MjvCamera()
 
+    def _dress(self, half: int) -> None:
+        """Build the scene with the bodies that robots have in a half, unless it is there."""
+        footage = self._footage.dressed(half)
+        if self._shown is not None and footage.scenario == self._shown.scenario:
+            return
+        if self._renderer is not None:
+            self._renderer.close()
+        self._shown = footage
+        self._model = build_scene(footage, self._size, fine=self._fine)
+        self._data: Any = mujoco.MjData(self._model)
+        try:
+            self._renderer = mujoco.Renderer(self._model, self._size[1], self._size[0])
+        except mujoco.FatalError as error:
+            raise RuntimeError(str(error)) from error
+
     def draw(self, moment: Moment) -> Image.Image:
         """Return the picture of a moment."""
+        self._dress(moment.half.info.half)
         poses = moment.half.poses_at(moment.t_s)
         view = self._camera.view(self._footage, moment, self._size[0] / self._size[1])
         self._place(poses)

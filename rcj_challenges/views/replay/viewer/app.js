@@ -249,6 +249,7 @@ class App {
       if (spins[index]) track.spin(index, tick, spins[index]);
     }
     return {
+      bodies: this.recording.dress(track.facts),
       poses,
       spins,
       trails: [...this.robots.trailsAt(place, this.panels.trailSeconds), ...this.sensors.raysAt(place, this.panels.shown.rays)],

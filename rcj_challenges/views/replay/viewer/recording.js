@@ -150,6 +150,13 @@ class Recording {
     return halves[index];
   }
 
+  /** Let robots look as in a half: teams that change sides take theirs along. Returns a key of how they look. */
+  dress({ half, bodies = {} }) {
+    const key = Object.keys(bodies).length ? half : 0;
+    if (key !== this.dressed) for (const [index, body] of Object.entries(bodies)) Object.assign(this.entities[index], body);
+    return (this.dressed = key);
+  }
+
   pose(entity, place) {
     const { track, tick } = this.at(place);
     return track.pose(entity, tick);

@@ -18,17 +18,8 @@ class Scene {
     this.finest = painter.software ? 1 : 2;
     painter.useLetters(Bodies.atlas(entities));
     const { panes, rims } = Bodies.wallMeshes(facts.field);
-    const standing = new Mesh().join(Bodies.fixed(facts)).join(rims);
-    const shadows = new Mesh().join(Bodies.fixedShadows(facts));
-    const numbers = new Mesh();
-    entities.forEach((entity, index) => {
-      standing.join(Bodies.of(entity), index + 1);
-      shadows.join(Bodies.shadow(entity), index + 1);
-      if (entity.kind === "robot") numbers.join(Bodies.number(entity, index), index + 1);
-    });
-    this.bodies = painter.upload(standing);
-    this.shadows = painter.upload(shadows);
-    this.numbers = painter.upload(numbers);
+    this.rims = rims;
+    this.dress(0);
     this.panes = painter.upload(panes);
     this.ground = this.layers(Ground.field(facts));
     this.signs = this.nameSigns(entities);
@@ -36,6 +27,24 @@ class Scene {
     this.shown = null;
     this.view = new Float32Array(16);
     this.begin();
+  }
+
+  /** Build what stands and moves; `key` says how robots look. */
+  dress(key) {
+    const { painter, facts } = this;
+    const standing = new Mesh().join(Bodies.fixed(facts)).join(this.rims);
+    const shadows = new Mesh().join(Bodies.fixedShadows(facts));
+    const numbers = new Mesh();
+    facts.entities.forEach((entity, index) => {
+      standing.join(Bodies.of(entity), index + 1);
+      shadows.join(Bodies.shadow(entity), index + 1);
+      if (entity.kind === "robot") numbers.join(Bodies.number(entity, index), index + 1);
+    });
+    for (const mesh of [this.bodies, this.shadows, this.numbers]) if (mesh) painter.forget(mesh);
+    this.bodies = painter.upload(standing);
+    this.shadows = painter.upload(shadows);
+    this.numbers = painter.upload(numbers);
+    this.dressed = key;
   }
 
   /** What is the same in every picture. */
@@ -71,13 +80,14 @@ class Scene {
     this.painter.block.set([width, height, across, down], FAR_OFF.screen);
   }
 
-  /** frame: {poses, spins, trails, heat, logos, show, failed, background}; camera: where from. */
+  /** frame: {bodies, poses, spins, trails, heat, logos, show, failed, background}; camera: where from. */
   draw(frame, camera) {
     const { painter } = this;
     if (frame.logos !== this.logos) {
       this.logos = frame.logos;
       painter.useLetters(Bodies.atlas(this.facts.entities, this.logos));
     }
+    if (frame.bodies !== this.dressed) this.dress(frame.bodies);
     this.pose(frame, camera);
     painter.begin(frame.background);
     this.drawFloor(frame);
