@@ -38,7 +38,6 @@ class RobotPose:
     __slots__ = ("_nominal_z", "cos", "parked", "rotation", "sin", "tipped", "x", "y", "z")
 
     def __init__(self, nominal_z: float) -> None:
-
         self._nominal_z = nominal_z
         self.x = self.y = 0.0
         self.z = nominal_z

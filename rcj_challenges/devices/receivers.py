@@ -69,7 +69,6 @@ class Receiver:
     __slots__ = ("_held", "_next", "_queue", "channel", "device", "period_ticks", "range_m", "receive", "robot")
 
     def __init__(self, robot: int, device: int, channel: int, range_m: float, queue: Queue) -> None:
-
         self.robot = robot
         self.device = device
         self.channel = channel

@@ -87,13 +87,7 @@ robots:
 
 
 class Echoes:
-    """What the rays of all robots meet, measured once in a tick in which a sonar is read.
-
-    Attributes:
-        tick: at which they were measured last.
-        rays: distance, direction and normal, by number of the ray.
-        errors: the noise, by number of the sonar.
-    """
+    """Distance, direction and normal of all rays, and noise, measured once in a tick in which a sonar is read."""
 
     def __init__(self, fitted: Sequence[Fitted], context: SensorContext) -> None:
         import numpy as np
@@ -107,7 +101,6 @@ class Echoes:
         self.errors: list[float] = []
 
     def measure(self, tick: int) -> None:
-
         self.tick = tick
         self.rays = self._fixed.measure()
         self.errors = self._noise.numbers(tick)

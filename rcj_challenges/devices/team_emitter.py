@@ -64,12 +64,8 @@ robots:
 class Emitter:
     """One emitter of one robot.
 
-    Time on the air is counted in whole thousandths of a bit (bits · ms / s), so that nothing is ever rounded.
-
-    Attributes:
-        robot: index of the robot.
-        waiting: (tick of arrival, channel, data) of packets that have not arrived.
-        to_referee: (tick of arrival, data) of packets that the referee has not received.
+    Time on the air is counted in whole thousandths of a bit (bits · ms / s), so that nothing is ever rounded. Packets
+    that have not arrived wait with their tick of arrival.
     """
 
     def __init__(self, robot: int, range_m: float, baud: int, max_packet_bytes: int) -> None:

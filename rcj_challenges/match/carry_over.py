@@ -16,15 +16,9 @@ if TYPE_CHECKING:  # it is loaded while programs start
 
 
 class CarryOver:
-    """Points, the values kept for the next half, and the totals so far.
-
-    Attributes:
-        scores: points by team.
-        kept: as `HalfInfo.kept` of the half that follows.
-    """
+    """Points by team, the values kept for the next half (`HalfInfo.kept`), and the totals so far."""
 
     def __init__(self, scenario: Scenario) -> None:
-
         self.scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
         self.kept: dict[str, Any] = {}
         self._scenario = scenario

@@ -29,12 +29,10 @@ class MotionlessObserver(Observer):
         self._standing: dict[str, bool] = {}
 
     def half_started(self, half: HalfInfo) -> None:
-
         self._last = None
         self._way_m = dict.fromkeys((robot for robot, _ in self._robots), 0.0)
 
     def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-
         if snapshot.tick > self._last_tick:
             return
         poses = list(snapshot.substeps[-1])

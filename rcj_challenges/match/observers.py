@@ -119,9 +119,7 @@ class ObserverGroup(Observer):
     )
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-
         return [listener for observer in self.observers for listener in observer.sensing(half, robots)]
 
     def before_tick(self, tick: int) -> float:
-
         return add_up([observer.before_tick(tick) for observer in self.observers])

@@ -28,7 +28,6 @@ class MisfitError(DiagnosticError):
     """A record with other participants than the scenario, which therefore cannot judge it."""
 
     def __init__(self, scenario: Scenario, what: str, played: Sequence[str], wanted: Sequence[str]) -> None:
-
         lists = f"the match had {', '.join(played)}, the scenario has {', '.join(wanted)}"
         differ = lists if set(played) != set(wanted) else f"their order differs: {lists}"
         message = f"the scenario {scenario.id!r} cannot judge this match: {what} must be the same; {differ}"
@@ -38,12 +37,7 @@ class MisfitError(DiagnosticError):
 
 @dataclass(frozen=True)
 class JudgedHalf:
-    """One half, as far as it could be judged.
-
-    Attributes:
-        ended: the reason of the rule that ended it; None if none did.
-        complete: False if the recorded poses end before these rules end the half.
-    """
+    """One half, as far as it could be judged: not complete if the recorded poses end before these rules end it."""
 
     half: int
     ticks: int
@@ -53,13 +47,7 @@ class JudgedHalf:
 
 @dataclass(frozen=True)
 class Judgement:
-    """The verdict of the rules on a whole match.
-
-    Attributes:
-        scores: points by team.
-        ranking, events: as in ``result.json``.
-        complete: whether all halves that these rules require were judged to their end.
-    """
+    """The verdict of the rules on a match, as in ``result.json``; complete if all halves were judged to their end."""
 
     scores: dict[str, Score]
     ranking: list[dict[str, Any]]
@@ -138,7 +126,7 @@ def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score
         halves = {track.info.half: track for track in trajectory.halves}
         log = log.up_to({half: track.ticks for half, track in halves.items()})
         points = log.score(dict.fromkeys(scores, 0), lambda half: halves[half].info.teams)
-    return Recorded(points, log.event_lines())
+    return Recorded(points, [event_line(one.half, event) for one in log.ticks for event in one.events])
 
 
 def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:

@@ -75,9 +75,7 @@ class MatchPlan:
 class PlayedMatch:
     """A match that is over, or was interrupted.
 
-    Attributes:
-        result: as in ``result.json``.
-        notes: by robot: what the module ``controller`` refused or ignored of its program's calls.
+    ``notes``: by robot, what the module ``controller`` refused or ignored of its program's calls.
     """
 
     folder: Path
@@ -88,8 +86,7 @@ class PlayedMatch:
 class MatchInterruptedError(KeyboardInterrupt):
     """Ctrl-C during a match, or while its end was shown. Its record is closed and contains everything that was played.
 
-    Attributes:
-        trouble: why the record could not be closed properly; empty if it was.
+    ``trouble``: why the record could not be closed properly; empty if it was.
     """
 
     def __init__(self, played: PlayedMatch, trouble: str) -> None:

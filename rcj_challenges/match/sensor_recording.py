@@ -68,16 +68,13 @@ class _RecordedDriver:
         self.limit_fault = driver.limit_fault
 
     def release(self, observation: Observation) -> None:
-
         self._writer.record_observation(self._number, observation)
         self._driver.release(observation)
 
     def collect(self) -> Request | Fault:
-
         return self._recorded(self._driver.collect())
 
     def collect_soon(self) -> Request | Fault | None:
-
         answer = self._driver.collect_soon()
         return None if answer is None else self._recorded(answer)
 

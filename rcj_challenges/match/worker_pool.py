@@ -24,12 +24,7 @@ Outcome_co = TypeVar("Outcome_co", covariant=True)
 
 
 class Attempt(NamedTuple, Generic[Outcome_co]):
-    """The result of one process of a job.
-
-    Attributes:
-        outcome: the job's outcome, if this is the last attempt.
-        is_final: False if the process died for a reason of its own, so that a second one may succeed.
-    """
+    """The result of one process of a job; not final if it died for a reason of its own: a second one may succeed."""
 
     outcome: Outcome_co
     is_final: bool = True
@@ -63,7 +58,6 @@ class WorkerPool(Generic[Outcome]):
     """
 
     def __init__(self, max_processes: int) -> None:
-
         self._executor = ThreadPoolExecutor(max_workers=max(1, max_processes))
         self._pending: dict[Future[Outcome], Job[Any, Outcome]] = {}
         self._lock = threading.Lock()

@@ -132,8 +132,10 @@ def set_by_process(layers: tuple[str, ...], *, portable: bool) -> list[str]:
 def limit_settings(limits: Limits, layers: tuple[str, ...], private: Path, *, portable: bool) -> dict[str, Any]:
     """Return the limits as sent to the program's process, sizes in bytes; ``portable`` as for `set_by_process`."""
     limited = "resource_limits" in layers
+    readable, writable = list(visible_files.readable()), list(visible_files.DEVICES)
+    files = {"readable": readable, "writable": writable, "private": str(private)}
     return {
-        **(_file_settings(private) if "filesystem" in layers else {}),
+        **(files if "filesystem" in layers else {}),
         "message_bytes": message_bytes(limits),
         "output_bytes": output_bytes(limits),
         "memory_bytes": memory_bytes(limits),
@@ -145,11 +147,6 @@ def limit_settings(limits: Limits, layers: tuple[str, ...], private: Path, *, po
         # macOS takes no limit on memory; Windows has its job object.
         "watch_memory": limited and sys.platform != "win32" and (portable or sys.platform == "darwin"),
     }
-
-
-def _file_settings(private: Path) -> dict[str, Any]:
-    writable = list(visible_files.DEVICES)
-    return {"readable": list(visible_files.readable()), "writable": writable, "private": str(private)}
 
 
 def _user_tasks(limits: Limits) -> int:

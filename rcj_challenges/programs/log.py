@@ -30,13 +30,9 @@ _BINARY = getattr(os, "O_BINARY", 0)
 class ProgramLog:
     """A file to which the match appends its own lines and what the program printed.
 
-    The program never has this file open: it writes into an unnamed one, from which everything is copied. So it can
-    neither find the record through its output nor truncate, overwrite or lock the log, and nothing that it does to its
-    file (seeking, a hole of a terabyte) has an effect elsewhere.
-
-    Attributes:
-        fd: for the program's output; -1 when closed.
-        written_bytes: how much was appended to the log.
+    The program never has this file open: it writes into an unnamed one (``fd``), from which everything is copied. So
+    it can neither find the record through its output nor truncate, overwrite or lock the log, and nothing that it does
+    to its file (seeking, a hole of a terabyte) has an effect elsewhere.
     """
 
     def __init__(self, path: Path, most_bytes: int, temporary: Path) -> None:

@@ -121,7 +121,9 @@ class PolledPipes:
         except OSError:
             sent = -1
         if sent != len(frame):  # rarely
-            self._send_rest(frame[max(0, sent) :])
+            self._unsent = self._left_of(frame[max(0, sent) :])
+            if self._unsent:
+                self._poll.register(self._write_fd, select.POLLOUT)
 
     def receive(self, timeout_s: float) -> bytes | None:
         """See `Channel`."""
@@ -199,11 +201,6 @@ class PolledPipes:
         """See `Channel`."""
         for fd in (self._read_fd, self._write_fd):
             os.close(fd)
-
-    def _send_rest(self, data: bytes) -> None:
-        self._unsent = self._left_of(data)
-        if self._unsent:
-            self._poll.register(self._write_fd, select.POLLOUT)
 
     def _left_of(self, data: bytes) -> bytes:
         """Write what the pipe takes at once, and return the rest; return nothing if the other side is gone."""

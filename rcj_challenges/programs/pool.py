@@ -26,11 +26,7 @@ processors."""
 
 
 class ProgramPool:
-    """The programs of one half; a context manager, after which none of them exists any more.
-
-    Attributes:
-        programs: by the robot's name, in the order in which they were added.
-    """
+    """The programs of one half, by the robot's name; a context manager, after which none of them exists any more."""
 
     def __init__(self, plan: PoolPlan) -> None:
         """Prepare a half without programs.
@@ -63,15 +59,13 @@ class ProgramPool:
             share_bytes = scratch.share_bytes(place, len(self.programs))
         except OSError as error:
             raise temporary_folder_error(error) from error
-        sharing = Sharing(place, share_bytes, tuple(self.programs.values()), WaitBudget(self._max_wait_s()))
+        limits = self._plan.limits
+        max_wait_s = _MAX_HELD_UP * (limits.start_s + len(self.programs) * limits.half_s)
+        budget = WaitBudget(math.inf if self._plan.debug else max_wait_s)
+        sharing = Sharing(place, share_bytes, tuple(self.programs.values()), budget)
         for program in sharing.programs:
             program.launch(sharing)
         remove_left_overs_once()
-
-    def _max_wait_s(self) -> float:
-        plan = self._plan
-        charged_s = plan.limits.start_s + len(self.programs) * plan.limits.half_s
-        return math.inf if plan.debug else _MAX_HELD_UP * charged_s
 
     def finish(self, last: Mapping[str, Observation]) -> None:
         """Let the last ``step`` of programs return, give them about 1 s together to clean up, then end all.

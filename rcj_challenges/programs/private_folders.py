@@ -29,10 +29,9 @@ _FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_
 
 
 class PrivateFolders:
-    """Where the programs of one half have their private folders, or a check what it makes; a context manager.
+    """A place for the private folders of a half's programs, or for a check's files; only this user may look into it.
 
-    Attributes:
-        place: the folder that they are in; only this user may look into it.
+    A context manager.
     """
 
     def __init__(self) -> None:

@@ -57,18 +57,14 @@ def process_times(pid: int) -> ProcessTimes | None:
     """
     try:
         if sys.platform == "linux":
-            return ProcessTimes(time.clock_gettime(_processor_clock(pid)), _thread_times(pid))
+            clock = ~pid << 3 | 2  # of its processor time, as `clock_getcpuclockid` numbers it
+            return ProcessTimes(time.clock_gettime(clock), _thread_times(pid))
         if sys.platform != "win32":
             listed = subprocess.run(["ps", "-o", "time=", "-p", str(pid)], capture_output=True, text=True, check=True)
             return ProcessTimes(seconds_of(listed.stdout), None)
     except (OSError, ValueError, subprocess.SubprocessError):
         pass
     return None
-
-
-def _processor_clock(pid: int) -> int:
-    """Return the clock of the processor time of a process, as Linux numbers it (``clock_getcpuclockid``)."""
-    return ~pid << 3 | 2
 
 
 def _thread_times(pid: int) -> dict[int, ThreadTimes] | None:

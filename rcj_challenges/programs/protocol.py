@@ -171,8 +171,8 @@ class Codec:
             advance,
             missed,
             commands,
-            sampling=tuple([self._sampling(*tail.take(_SAMPLING)) for _ in range(sampling)]),
-            channels=tuple([self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)]),
+            sampling=tuple([self._setting(tail.take(_SAMPLING), "sampling", "a sensor") for _ in range(sampling)]),
+            channels=tuple([self._setting(tail.take(_CHANNEL), "channels", "a receiver") for _ in range(channels)]),
             frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
             emissions=self._emissions(body, tail.at, emissions),
         )
@@ -208,13 +208,9 @@ class Codec:
             return f"device {device}: a velocity of {velocity:g}"
         return f"device {device}: a position of {position:g}"
 
-    def _sampling(self, device: int, period_ticks: int) -> tuple[int, int]:
-        self._must_be(device, "sampling", "a sensor")
-        return device, period_ticks
-
-    def _tuning(self, device: int, channel: int) -> tuple[int, int]:
-        self._must_be(device, "channels", "a receiver")
-        return device, channel
+    def _setting(self, setting: tuple[int, int], accepts: str, wanted: str) -> tuple[int, int]:
+        self._must_be(setting[0], accepts, wanted)
+        return setting
 
     def _frequency(self, device: int, frequency_hz: float) -> tuple[int, float]:
         self._must_be(device, "frequencies", "a lidar")

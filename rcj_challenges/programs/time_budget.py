@@ -27,12 +27,9 @@ _QUIET_SHARE = 0.01
 
 
 class ThreadTimes(NamedTuple):
-    """The kernel's counts for one thread until now.
+    """The kernel's counts for one thread until now: time of computing, times of waiting for a processor, turns.
 
-    Attributes:
-        running_s: for how long it has computed.
-        ready_s: for how long it was ready but waited for a processor, without the current wait.
-        runs: how many times it was given a processor.
+    The current wait is not in ``ready_s``.
     """
 
     running_s: float = 0.0
@@ -41,12 +38,7 @@ class ThreadTimes(NamedTuple):
 
 
 class ProcessTimes(NamedTuple):
-    """The kernel's counts for one process until now.
-
-    Attributes:
-        cpu_s: of all threads, ended ones included.
-        threads: by number; None if the system does not report ready times.
-    """
+    """The kernel's counts for one process until now, ended threads included; no threads if ready times are unknown."""
 
     cpu_s: float
     threads: Mapping[int, ThreadTimes] | None

@@ -12,14 +12,9 @@ from rcj_challenges.programs.time_budget import MEASURED_AFTER_S, TimeBudget
 
 
 class TimedChannel:
-    """A channel to one program, with the budget that its answers are charged to.
-
-    Attributes:
-        is_awaited: whether the program was released and has not answered yet.
-    """
+    """A channel to one program, with the budget that its answers are charged to."""
 
     def __init__(self, channel: Channel, budget: TimeBudget) -> None:
-
         self.channel = channel
         self.budget = budget
         self.is_awaited = True

@@ -62,9 +62,7 @@ class ChunkWriter:
 class Chunks:
     """The readable part of a file of chunks, each with its head and bytes.
 
-    Attributes:
-        is_cut_off: whether the last chunk is not whole, as a kill leaves it.
-        is_damaged: whether something else is wrong behind the last of them.
+    A kill cuts the last chunk off; it is damaged if something else is wrong behind the last of them.
     """
 
     header: dict[str, Any]

@@ -63,10 +63,6 @@ class RefereeLog:
         kept = tuple(one for one in self.ticks if one.tick <= ticks.get(one.half, -1))
         return RefereeLog(kept, self.damaged_lines)
 
-    def event_lines(self) -> list[dict[str, Any]]:
-        """Return the events as in ``result.json``."""
-        return [event_line(one.half, event) for one in self.ticks for event in one.events]
-
     def score(self, first: Mapping[str, Score], teams_in: Callable[[int], Mapping[str, str]]) -> dict[str, Score]:
         """Return the last score by team, also of a match that was killed; ``first`` is that of its beginning."""
         found = ((one.half, change) for one in reversed(self.ticks) for change in one.changes)

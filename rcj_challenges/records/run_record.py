@@ -23,12 +23,7 @@ from rcj_challenges.scenario.roster import Roster
 
 @dataclass(frozen=True)
 class RunRecord:
-    """A run, as far as it can be read.
-
-    Attributes:
-        halves: those with at least one tick; at least one.
-        problems: sentences about what is missing or damaged; empty if all is well.
-    """
+    """A run, as far as it can be read: halves with at least one tick, and sentences about what is missing."""
 
     result: RunResult
     scenario: Scenario

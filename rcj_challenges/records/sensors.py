@@ -246,11 +246,9 @@ class SensorTrack:
 
 @dataclass(frozen=True)
 class SensorHalf:
-    """The sensor recording of one half.
+    """The sensor recording of one half; a damaged one has all that came before the damage.
 
-    Attributes:
-        full_at: the tick from which on nothing is recorded because the file had reached its size; None: all is there.
-        damaged: whether the file ends in the middle, or something in it cannot be read; what came before is here.
+    Nothing is recorded from the tick ``full_at`` on because the file had reached its size; None: all is there.
     """
 
     half: int

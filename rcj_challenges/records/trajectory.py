@@ -95,10 +95,7 @@ class TrajectoryWriter:
     def append(self, snapshot: Snapshot, placements: tuple[Placement, ...], poses: bytes = b"") -> None:
         """Add one tick; tick 0 is the start, whatever number of sub-steps it has.
 
-        Args:
-            snapshot: what the referee saw.
-            placements: what the referee moved.
-            poses: those of the snapshot as they are written; left out: made here, which takes longer than all the rest.
+        ``poses`` are those of the snapshot as written; left out: made here, which takes longer than all the rest.
 
         Raises:
             ValueError: a tick is missing or comes twice.

@@ -70,14 +70,10 @@ class RunHeader:
 
 
 class RecordWriter:
-    """The record of one run.
+    """The record of one run, in a folder that the constructor makes and that is never shared.
 
     Use as a context manager, or call `finish` in any case: without it the folder stays readable, but marked as not
     complete. Left by an exception, the context closes the record as it is and names the exception's type.
-
-    Attributes:
-        folder: of this run, created by the constructor, never shared.
-        logs: folder for the programs' output.
     """
 
     def __init__(
@@ -85,11 +81,8 @@ class RecordWriter:
     ) -> None:
         """Make the folder of the run in ``out``; write the scenario and an incomplete result.
 
-        Args:
-            out: ``runs``.
-            header: the facts before the start.
-            name: of the run's folder; left out: time and scenario. A number is added if it exists.
-            now: the wall clock, for the name and for ``datetime`` in the reflog.
+        The folder's name, left out, is time and scenario; a number is added if it exists. ``now`` is the wall clock,
+        for the name and for ``datetime`` in the reflog.
 
         Raises:
             RecordError: the folder cannot be made.
@@ -167,12 +160,7 @@ class RecordWriter:
             self._faults += [self._fault(fault, self._half) for fault in snapshot.faults]
 
     def end_half(self, closing: RefereeOutput, ended: str | None = None) -> None:
-        """End the half.
-
-        Args:
-            closing: the output of the rules of ``half_ended``.
-            ended: the reason of the rule that ended it, or the match with it; None if the time was up.
-        """
+        """End the half; ``ended`` is the reason of the rule that ended it (or the match), None if the time was up."""
         if self._half is None:
             raise ValueError("no half to end: call begin_half first")
         self._log(self._half, closing.events, closing.firings, closing.changes)
@@ -182,9 +170,8 @@ class RecordWriter:
     def finish(self, result: Mapping[str, Any] | None = None) -> Path:
         """Close the record: the trajectory ends, the result is complete. Returns the folder.
 
-        Args:
-            result: fields of `RunResult` that only the caller knows (``wall_s``, ``sandbox``, ``marks``, ``score``),
-                and ``complete: False`` with ``stopped`` for a run that was not played to its end.
+        ``result`` has fields of `RunResult` that only the caller knows (``wall_s``, ``sandbox``, ``marks``, ``score``),
+        and ``complete: False`` with ``stopped`` for a run that was not played to its end.
         """
         states = self._states.hexdigest()
         digests = {"states": states, "digest": run_digest(self._inputs, states)}

@@ -20,7 +20,6 @@ class Infrared:
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, rays: Rays, receivers: list[BallReceiver]) -> None:
-
         self._all_receivers = receivers
         self._receivers: dict[int, list[BallReceiver]] = {}
         self._rays = rays

@@ -32,7 +32,6 @@ class RadioHub:
         fitted: Sequence[Fitted],
         queues: dict[int, Queue],
     ) -> None:
-
         self._receivers: dict[tuple[int, int], Receiver] = {}
         self._slow: dict[int, list[Receiver]] = {}  # by robot; robots without one are absent
         self._emitters: dict[tuple[int, int], Emitter] = {}

@@ -22,16 +22,6 @@ DIRECTION = (0.0, 0.0, 1.0)
 """The referee has no place on the field: its packets come from 1 m above the receiver."""
 
 
-def flag_bytes(*, waiting: bool) -> bytes:
-    """Return the packet of v2.1: ``struct '?'``."""
-    return struct.pack("?", waiting)
-
-
-def flag_json(*, waiting: bool) -> bytes:
-    """Return the packet of v2.2: JSON text."""
-    return json.dumps({"waiting_for_kickoff": waiting}).encode()
-
-
 def positions_2021(kit: Kit, roster: Roster, poses: Poses, *, waiting: bool) -> bytes:
     """Return the packet of 2021: per listed robot X, Z and orientation, per ball X and Z, then the flag.
 
@@ -62,8 +52,9 @@ class RefereeRadio:
         self._receivers = receivers
         self._robots = frozenset(receiver.robot for receiver, _ in receivers)
         self._listening: list[Receiver] = []
-        flag = flag_json if kit.messages == "v2.2" else flag_bytes
-        self._flags = {waiting: flag(waiting=waiting) for waiting in (False, True)}
+        self._flags = {waiting: struct.pack("?", waiting) for waiting in (False, True)}
+        if kit.messages == "v2.2":
+            self._flags = {waiting: json.dumps({"waiting_for_kickoff": waiting}).encode() for waiting in (False, True)}
         self._sent: tuple[_Addressed, ...] = ()
         self._objects: tuple[_Addressed, ...] = ()
         self._deliveries: dict[_Addressed, list[tuple[Callable[[Packet], None], Packet]]] = {}

@@ -53,13 +53,10 @@ class Schedule:
 
 
 class RobotSensors:
-    """The sensors of one robot.
+    """The sensors of one robot; ``values`` are the numbers of all its devices, by slot.
 
     Its program is started on its next step as soon as they are read, so this is where a match waits. Those that are
     due are read class by class (ADR 10).
-
-    Attributes:
-        values: the numbers of all its devices, by slot.
     """
 
     def __init__(self, sensors: Mapping[int, Sensor], values: int, pose: RobotPose) -> None:

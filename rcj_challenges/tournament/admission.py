@@ -6,7 +6,7 @@ import hashlib
 import io
 import zipfile
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -27,31 +27,14 @@ from rcj_challenges.submissions.limits import MAX_PACKED_BYTES
 from rcj_challenges.submissions.team import opening_of
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.store.store import Store
+from rcj_challenges.tournament.store.tables import SubmissionRow
 
 _MAX_PACKED_BYTES = 4 * MAX_PACKED_BYTES
 """What is larger is not even kept; between the two the check says what is wrong."""
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
-@dataclass(frozen=True)
-class Submitted:
-    """A submission of a team, as it is now.
-
-    Attributes:
-        purpose: ``stage/challenge`` if it is for this challenge alone; else empty.
-        archive: SHA-256 of its file.
-        file: that file's path in the folder of submissions.
-        name: what the team calls itself; safe to show.
-    """
-
-    team: str
-    purpose: str
-    archive: str
-    file: str
-    name: str
-
-
-Submissions = Mapping[tuple[str, str], Submitted]
+Submissions = Mapping[tuple[str, str], SubmissionRow]
 """By team and purpose."""
 
 
@@ -60,20 +43,20 @@ def purpose_of(entry: TeamEntry, stage: str, challenge: str) -> str:
     return f"{stage}/{challenge}" if entry.challenges.get((stage, challenge)) is not None else ""
 
 
-def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[str, str], Submitted]:
+def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[str, str], SubmissionRow]:
     """Keep a copy of what each team hands in now, and note what is new.
 
     Raises:
         DiagnosticError: some cannot be read, or the copies cannot be written.
     """
     before = store.current_submissions()
-    handed: dict[tuple[str, str], Submitted] = {}
+    handed: dict[tuple[str, str], SubmissionRow] = {}
     problems: list[Diagnostic] = []
     for entry in entries:
         sources = {purpose_of(entry, *key): source for key, source in entry.challenges.items() if source is not None}
         for purpose, source in {"": entry.source, **sources}.items():
             try:
-                handed[entry.id, purpose] = _take(entry.id, purpose, source, store.place.submissions)
+                handed[entry.id, purpose] = _take(entry.id, purpose, source, store)
             except (OSError, TeamError) as error:
                 message = f"the submission of {entry.id} cannot be read: {format_error(error)}"
                 problems.append(Diagnostic("submission-unreadable", message, _REPLACE, InFile(str(source))))
@@ -81,17 +64,18 @@ def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[s
         raise DiagnosticError(*problems)
     for key, one in handed.items():
         if key not in before or before[key].archive != one.archive:
-            store.add_submission(**asdict(one))
+            store.add_submission(one)
     return handed
 
 
 _REPLACE = "replace it; or take the team out of the tournament with 'tournament decide FILE --withdraw TEAM'"
 
 
-def _take(team: str, purpose: str, source: Path, folder: Path) -> Submitted:
-    archive, path = keep_submission(source, folder)
+def _take(team: str, purpose: str, source: Path, store: Store) -> SubmissionRow:
+    archive, path = keep_submission(source, store.place.submissions)
     name = opening_of(path, read_contents(path)).name
-    return Submitted(team, purpose, archive, path.relative_to(folder).as_posix(), name.text if name.given else team)
+    file = path.relative_to(store.place.submissions).as_posix()
+    return SubmissionRow(team, purpose, archive, file, name.text if name.given else team, store.now())
 
 
 def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
@@ -171,7 +155,7 @@ class CheckTask:
 
     scenario: str
     loaded: Loaded
-    handed: tuple[Submitted, ...]
+    handed: tuple[SubmissionRow, ...]
 
 
 def check_submissions(
@@ -205,7 +189,7 @@ def check_submissions(
 
 
 def _noting(
-    todo: Mapping[SubmissionName, Submitted], task: CheckTask, store: Store, sandbox: str, observer: CheckObserver
+    todo: Mapping[SubmissionName, SubmissionRow], task: CheckTask, store: Store, sandbox: str, observer: CheckObserver
 ) -> Callable[[FileReport], None]:
     """Return the handler of a report: it notes the verdict, and keeps the report for each of its teams."""
     by_name = {named.name: one for named, one in todo.items()}
@@ -227,12 +211,12 @@ def _noting(
     return on_done
 
 
-def _report_page(one: Submitted, task: CheckTask, store: Store) -> Path:
+def _report_page(one: SubmissionRow, task: CheckTask, store: Store) -> Path:
     folder = store.place.report_folder(one.team, one.archive)
     return folder / f"{task.loaded.scenario.id}-{task.scenario[:8]}.html"
 
 
-def _keep_report(report: FileReport, one: Submitted, task: CheckTask, store: Store, sandbox: str) -> None:
+def _keep_report(report: FileReport, one: SubmissionRow, task: CheckTask, store: Store, sandbox: str) -> None:
     page = _report_page(one, task, store)
     page.parent.mkdir(parents=True, exist_ok=True)
     named = report.model_copy(update={"file": f"{one.team}{Path(one.file).suffix}"})

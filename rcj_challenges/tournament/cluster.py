@@ -28,6 +28,7 @@ _FIRST_WORKER_S = 10.0
 _WORKERS_EVERY_S = 1.0
 _RESULT_S = 60.0  # a full record, 45 MB, over a slow network
 _MAX_ATTEMPTS = 2  # as in the local pool
+_UNFIT_HELP = "install the same versions there, or end that worker; with --shared the folder must have the same path"
 
 
 @dataclass
@@ -76,7 +77,10 @@ class ClusterExecutor:
         try:
             notes = self._wait_for_workers()
             if self._refused:
-                raise DiagnosticError(*(_unfit(worker, why) for worker, why in self._refused.items()))
+                unfit = (
+                    f"the worker {worker} cannot play these matches: {why}" for worker, why in self._refused.items()
+                )
+                raise DiagnosticError(*(Diagnostic("cluster-worker-unfit", message, _UNFIT_HELP) for message in unfit))
             self._note(notes)
         except BaseException:
             self._client.close()
@@ -255,8 +259,3 @@ def _lost(address: str) -> DiagnosticError:
     message = f"the connection to the cluster at {address} was lost"
     help_ = "start the scheduler and its workers, and run again: it continues where it stopped"
     return DiagnosticError(Diagnostic("cluster-lost", message, help_))
-
-
-def _unfit(worker: str, why: str) -> Diagnostic:
-    help_ = "install the same versions there, or end that worker; with --shared the folder must have the same path"
-    return Diagnostic("cluster-worker-unfit", f"the worker {worker} cannot play these matches: {why}", help_)

@@ -257,9 +257,5 @@ Set release in the stage.
 """By code: what it means, on one line, and then what to do about it."""
 
 
-def _pages(text: str) -> dict[str, str]:
-    blocks = (block.split("\n", 2) for block in text.strip().split("\n\n"))
-    return {code: f"{meaning}\n\n{help_}" for code, meaning, help_ in blocks}
-
-
-PAGES = _pages(_TEXT)
+_BLOCKS = (block.split("\n", 2) for block in _TEXT.strip().split("\n\n"))
+PAGES = {code: f"{meaning}\n\n{help_}" for code, meaning, help_ in _BLOCKS}

@@ -10,11 +10,12 @@ from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.result import has_time_fault, versions
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.submissions.team import TeamError, open_team
-from rcj_challenges.tournament.admission import CheckTask, Submissions, Submitted, purpose_of
+from rcj_challenges.tournament.admission import CheckTask, Submissions, purpose_of
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.scenarios import ScenarioUse
 from rcj_challenges.tournament.season import Fixture, Outcome
+from rcj_challenges.tournament.store.tables import SubmissionRow
 
 
 @dataclass
@@ -87,7 +88,7 @@ class JobMaker:
         return list(tasks.values())
 
     def _add_task(
-        self, tasks: dict[tuple[str, str], CheckTask], use: ScenarioUse, purpose: str, handed: Sequence[Submitted]
+        self, tasks: dict[tuple[str, str], CheckTask], use: ScenarioUse, purpose: str, handed: Sequence[SubmissionRow]
     ) -> None:
         if handed and (use.source, purpose) not in tasks:
             tasks[use.source, purpose] = CheckTask(*self.scenario(use.source, use.overrides), tuple(handed))

@@ -30,19 +30,6 @@ class RulingKind(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Ruling:
-    """One decision of a human referee; it is kept and shown for ever, also when a later one replaces it.
-
-    Its reason is shown to the public; the scores, by side, are empty for a replay and what is undone.
-    """
-
-    kind: RulingKind
-    reason: str
-    at: datetime
-    scores: tuple[float, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
 class PlayedMatch:
     """A fixture that was played or ruled on, in addition to its outcome.
 
@@ -60,7 +47,7 @@ class PlayedMatch:
     submissions: Mapping[str, str] = field(default_factory=dict)
     played_at: datetime | None = None
     doubtful: bool = False
-    rulings: tuple[Ruling, ...] = ()
+    rulings: tuple[RulingRow, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +82,7 @@ class Played:
 
     matches: Mapping[str, PlayedMatch] = field(default_factory=dict)
     submissions: tuple[Submission, ...] = ()
-    withdrawals: Mapping[str, tuple[Ruling, ...]] = field(default_factory=dict)
+    withdrawals: Mapping[str, tuple[RulingRow, ...]] = field(default_factory=dict)
 
 
 class RecordedResult(Mapping[str, Any]):
@@ -125,13 +112,13 @@ class RecordedResult(Mapping[str, Any]):
 
 def read_played(store: Store) -> Played:
     """Return all that was played, decided and submitted."""
-    rulings: dict[str, list[Ruling]] = {}
-    withdrawals: dict[str, tuple[Ruling, ...]] = {}
+    rulings: dict[str, list[RulingRow]] = {}
+    withdrawals: dict[str, tuple[RulingRow, ...]] = {}
     for row in store.rulings():
         if row.fixture:
-            rulings.setdefault(row.fixture, []).append(_ruling(row))
+            rulings.setdefault(row.fixture, []).append(row)
         else:
-            withdrawals[row.team] = (*withdrawals.get(row.team, ()), _ruling(row))
+            withdrawals[row.team] = (*withdrawals.get(row.team, ()), row)
     matches: dict[str, PlayedMatch] = {}
     for played, job in store.played_rows():
         folder = store.place.record_of(job.id)
@@ -147,10 +134,6 @@ def read_played(store: Store) -> Played:
     for fixture, own in rulings.items():
         matches.setdefault(fixture, PlayedMatch(fixture, None, {}, rulings=tuple(own)))
     return Played(matches, tuple(_submissions(store)), withdrawals)
-
-
-def _ruling(row: RulingRow) -> Ruling:
-    return Ruling(RulingKind(row.kind), row.reason, row.at, tuple(row.scores))
 
 
 def _submissions(store: Store) -> Iterator[Submission]:

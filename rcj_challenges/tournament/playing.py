@@ -32,9 +32,11 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
     """
     loaded = place.load_scenario(job.scenario)
     with ExitStack() as stack:
-        teams = {seat: _opened(job, seat, loaded, place) for seat in loaded.scenario.entrants}
-        for team in teams.values():
-            stack.callback(team.close)
+        teams: dict[str, Team | SuperTeam] = {}
+        for seat in loaded.scenario.entrants:
+            members = tuple(_open_program(program, seat, loaded, place) for program in job.seats[seat])
+            teams[seat] = members[0] if len(members) == 1 else SuperTeam(members)
+            stack.callback(teams[seat].close)
         plan = MatchPlan(
             loaded=loaded,
             teams=teams,
@@ -54,11 +56,6 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
             file.write(json_line(stats_as_json(run_stats(played.folder, run))))
     trim_record(played.folder, job.records)
     return played
-
-
-def _opened(job: MatchJob, seat: str, loaded: Loaded, place: Workplace) -> Team | SuperTeam:
-    members = tuple(_open_program(program, seat, loaded, place) for program in job.seats[seat])
-    return members[0] if len(members) == 1 else SuperTeam(members)
 
 
 def _open_program(program: Program, seat: str, loaded: Loaded, place: Workplace) -> Team:

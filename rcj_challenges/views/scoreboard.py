@@ -116,8 +116,7 @@ def pace(progress: Progress) -> str:
 class PrintedLines(Observer):
     """Shows what programs print whose output is shown, and nothing else.
 
-    Attributes:
-        trouble: why nothing more is shown, such as a full disk; the match goes on to its end.
+    On ``trouble``, such as a full disk, nothing more is shown; the match goes on to its end.
     """
 
     def __init__(self, console: Console) -> None:
@@ -125,7 +124,6 @@ class PrintedLines(Observer):
         self._console = console
 
     def printed(self, robot: str, text: str) -> None:
-
         for line in text.splitlines():
             self._print(f"{robot} | {sanitize(line.expandtabs(4), 2000)}")
 
@@ -148,13 +146,11 @@ class _Commented(PrintedLines):
         self._commentator.begin(half)
 
     def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-
         if output.events or output.firings or output.changes:
             for remark in self._commentator.remarks(output):
                 self._show(remark)
 
     def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
-
         for remark in self._commentator.remarks(output):
             self._show(remark)
 
@@ -173,18 +169,15 @@ class PlainLines(_Commented):
         console.print(scenario.title, markup=False, highlight=False, soft_wrap=True)
 
     def half_started(self, half: HalfInfo) -> None:
-
         super().half_started(half)
         self._print(f"half {half.half} of {half.halves}  {_seats(half)}")
 
     def progressed(self, progress: Progress) -> None:
-
         if progress.clock_ticks < progress.half.ticks:
             line = score_so_far(progress.half, progress.scores)
             self._print(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
     def fault(self, fault: Fault) -> None:
-
         self._print(fault_line(fault))
 
 
@@ -202,21 +195,17 @@ class Scoreboard(_Commented):
         self._live = Live(console=console, auto_refresh=False, transient=True)
 
     def half_started(self, half: HalfInfo) -> None:
-
         super().half_started(half)
         self._live.start()
         self._draw(Progress(half, 0, 0, dict(half.scores), "play", 0.0, 0.0))
 
     def progressed(self, progress: Progress) -> None:
-
         self._draw(progress)
 
     def fault(self, fault: Fault) -> None:
-
         self._events.append(Text(fault_line(fault), style="red", no_wrap=True, overflow="ellipsis"))
 
     def finished(self, result: dict[str, Any]) -> None:
-
         self._live.stop()
 
     def _show(self, remark: Remark) -> None:

@@ -59,12 +59,7 @@ class TimelineEvent:
 
 @dataclass(frozen=True, slots=True)
 class TickNews:
-    """What a tick adds to a timeline; None is no change.
-
-    Attributes:
-        events: in order, points without an event last.
-        counted: the counters that rank, by team.
-    """
+    """The news of a tick for a timeline; None is no change. Points without an event come last."""
 
     events: tuple[TimelineEvent, ...] = ()
     phase: PhaseChange | None = None
@@ -75,14 +70,7 @@ class TickNews:
 
 @dataclass
 class HalfTimeline:
-    """One half; each list has a change with its tick, in order.
-
-    Attributes:
-        half: from 1.
-        teams: by seat.
-        first_score: by team, as the half begins.
-        counted: the counters that rank, by team.
-    """
+    """One half; each list has a change with its tick, in order. Teams are by seat, scores and counters by team."""
 
     half: int
     teams: Mapping[str, str]

@@ -9,7 +9,7 @@ import mujoco
 from rcj_challenges.chassis.base import GRAVITY_MPS2
 from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.scenario.kit_devices import chassis_of
-from rcj_challenges.scenario.models.field import Box, Cylinder, Wall
+from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
@@ -45,7 +45,10 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
             softness = contact.ball_on_solid(field.restitution, rigidity[name])
             add_ball(spec, name, scenario.balls[name], field.friction, softness)
         else:
-            add_movable_obstacle(spec, name, movable_obstacle(scenario, name), field.friction)
+            obstacle = scenario.obstacles[name]
+            if isinstance(obstacle, Wall):
+                raise TypeError(f"obstacle {name} is a wall, and walls cannot move")
+            add_movable_obstacle(spec, name, obstacle, field.friction)
     for ball in scenario.balls:
         for robot in scenario.robots:
             add_ball_robot_contact(spec, ball, robot, chassis[robot], field.friction, rigidity[ball])
@@ -53,14 +56,6 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
         softness = contact.ball_on_solid(field.restitution, max(rigidity[ball], rigidity[other]))
         add_ball_contact(spec, ball, other, softness, field.friction)
     return spec
-
-
-def movable_obstacle(scenario: Scenario, name: str) -> Box | Cylinder:
-    """Return an obstacle that the roster lists among the entities."""
-    obstacle = scenario.obstacles[name]
-    if isinstance(obstacle, Wall):
-        raise TypeError(f"obstacle {name} is a wall, and walls cannot move")
-    return obstacle
 
 
 def _set_options(spec: mujoco.MjSpec) -> None:

@@ -28,7 +28,6 @@ class Poses:
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
-
         model = ground.model
         robots = roster.entities[: roster.robots]
         balls = roster.entities[roster.robots : roster.robots + roster.balls]

@@ -64,7 +64,6 @@ class WorldRays:
     """The rays of all sensors of a half."""
 
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
-
         self._ground = ground
         self._tallest_m = max((2 * ball.radius_m for ball in scenario.balls.values()), default=0.0)
         model = ground.model

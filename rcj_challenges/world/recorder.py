@@ -29,8 +29,7 @@ _REMEMBERED = 4096
 class Recorder:
     """Collects one tick. Poses come straight from `qpos`, which never lags behind the sub-step.
 
-    Attributes:
-        poses: those of all sub-steps of the latest snapshot, packed as little-endian float32 ``[sub-step][entity][3]``.
+    ``poses`` of the latest snapshot are packed as little-endian float32 ``[sub-step][entity][3]``.
     """
 
     def __init__(self, data: Any, tables: WorldTables, heights_m: tuple[float, ...]) -> None:

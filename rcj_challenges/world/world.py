@@ -45,8 +45,9 @@ class World:
 
     def __init__(self, scenario: Scenario, roster: Roster, rays: Iterable[FixedRay] = ()) -> None:
         """Compile the world of a checked scenario; everything stands at its start pose. The rays turn with robots."""
-        # MuJoCo would write its warnings to a file in the current folder; here they become a PhysicsFault.
-        mujoco.set_mju_user_warning(_silent)
+        # MuJoCo would write its warnings to a file in the current folder; here `step` turns those that it counts in
+        # `data.warning` into a PhysicsFault.
+        mujoco.set_mju_user_warning(lambda _: None)
         spec = build_spec(scenario, roster)
         add_fixed_rays(spec, rays)
         self.model: Any = spec.compile()
@@ -216,7 +217,3 @@ class World:
                 if not np.isfinite(self.data.qpos[at : at + 3]).all()]  # fmt: skip
         where = f"; no finite pose: {', '.join(lost)}" if lost else ""
         return f"the physics became unstable in tick {tick} (MuJoCo: {', '.join(kinds)}{where})"
-
-
-def _silent(_: str) -> None:
-    """Do nothing with MuJoCo's text; the numbers in `data.warning` are what `World.step` looks at."""

@@ -16,9 +16,10 @@ from zoneinfo import ZoneInfo
 from rcj_challenges.records.sensors import SensorWriter
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.load import load_tournament
-from rcj_challenges.tournament.played import Played, PlayedMatch, Ruling, RulingKind, Submission
+from rcj_challenges.tournament.played import Played, PlayedMatch, Submission
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Team
 from rcj_challenges.tournament.site import SiteSource
+from rcj_challenges.tournament.store.tables import RulingRow
 from rcj_challenges.views.replay import write_replay
 from tests.made_up_runs import write_made_up_run
 from tests.views.sensing_play import SENSED, sense
@@ -146,7 +147,7 @@ class MadeUpSeason:
             {team: team[0] * 64 for side in fixture.sides for team in side.teams},
             NOW - timedelta(hours=20) + timedelta(minutes=2 * at),
             doubtful=at % 7 == 3,
-            rulings=(Ruling(RulingKind.CORRECTED, f"{HOSTILE} was not in goal", NOW, (1.0, 0.0)),) if corrected else (),
+            rulings=(RulingRow("corrected", f"{HOSTILE} was not in goal", NOW, scores=(1, 0)),) if corrected else (),
         )
 
 

@@ -83,7 +83,7 @@ def test_rulings_are_kept_for_ever_and_the_last_one_holds(tmp_path):
     with home.opened(writing=False) as tournament:
         match = read_played(tournament.store).matches[fixture.id]
     assert [(one.scores, one.reason) for one in match.rulings] == [
-        ((9, 1), "as the referee saw it"), ((1, 9), "a second look"),
+        ([9, 1], "as the referee saw it"), ([1, 9], "a second look"),
     ]  # fmt: skip
     assert (match.record, dict(match.result), match.played_at) == (None, {}, None)
     assert home.state().outcomes[fixture.id].scores == (1, 9)

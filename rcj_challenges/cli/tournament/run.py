@@ -128,7 +128,7 @@ def prepare(
     Raises:
         RcjError: one cannot be read, or fails the check and is not accepted.
     """
-    from rcj_challenges.tournament.admission import Submitted, check_submissions, take_submissions
+    from rcj_challenges.tournament.admission import check_submissions, take_submissions
     from rcj_challenges.tournament.fixtures import JobMaker
 
     loaded, season = tournament.loaded, tournament.season
@@ -140,9 +140,7 @@ def prepare(
     handed = take_submissions(staying, tournament.store)
     tournament.refresh()
     # Also those of teams that have left: what these have played stays comparable.
-    rows = tournament.store.current_submissions()
-    earlier = {key: Submitted(*key, row.archive, row.file, row.name) for key, row in rows.items()}
-    jobs = JobMaker(tournament, earlier | handed, sandbox)
+    jobs = JobMaker(tournament, tournament.store.current_submissions() | handed, sandbox)
     tasks = jobs.check_tasks(handed)
     failures = check_submissions(tasks, tournament.store, jobs=lanes, sandbox=sandbox, observer=observer)
     refused = [one for one in failures if one.team not in accepted or one.is_unchecked]

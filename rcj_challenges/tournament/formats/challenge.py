@@ -103,7 +103,7 @@ def _fixtures(context: StageContext, stage: Challenge, name: str, teams: Sequenc
         )
         for turn in range(1, stage.seeds + 1)
         for team in teams
-        if context.takes_part(team, name)
+        if context.entries[team].submission(context.name, name) is not None  # else it takes no part
     ]
 
 

@@ -99,10 +99,6 @@ class StageContext:
         one = self.teams[team]
         return not one.withdrawn or one.last_rounds.get(self.name, -1) >= round_
 
-    def takes_part(self, team: str, challenge: str) -> bool:
-        """Return whether a team has a submission for a challenge of this stage."""
-        return self.entries[team].submission(self.name, challenge) is not None
-
     def has_left(self, team: str) -> bool:
         """Return whether a team has left the tournament."""
         return team in self.teams and self.teams[team].withdrawn

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from html import escape
 from itertools import pairwise
 
 from markupsafe import Markup
 
 from rcj_challenges.core.amounts import number_words
 from rcj_challenges.tournament.season import Tie
-from rcj_challenges.tournament.site.render import escaped, fitted
+from rcj_challenges.tournament.site.render import fitted
 
 _BOX_WIDTH, _BOX_HEIGHT, _GAP_X, _GAP_Y, _HEAD = 196, 46, 36, 18, 34
 _CHARACTERS, _CHARACTERS_WITHOUT_SCORE = 22, 25
@@ -49,7 +50,9 @@ def bracket_svg(
     bottom = 0.0
     for tree in trees.values():
         own = _placed(tree, bottom + _HEAD)
-        parts += _heads(own, bottom + 18) + _joins(own)
+        for x, head in {one.x: escape(one.tie.round_title) for one in own}.items():
+            parts.append(f'<text class="head" x="{x:g}" y="{bottom + 18:g}">{head}</text>')
+        parts += _joins(own)
         bottom = max(one.y + _BOX_HEIGHT for one in own) + _GAP_Y
         placed += own
     bottom = max(bottom - _GAP_Y, _HEAD)
@@ -67,7 +70,7 @@ def bracket_svg(
     name_space = ' xmlns="http://www.w3.org/2000/svg"' if alone else ""
     return Markup(  # noqa: S704 - every text in it was escaped
         f'<svg class="bracket"{name_space} viewBox="0 0 {wide:g} {tall:g}" width="{wide:g}" height="{tall:g}" '
-        f'role="img" aria-label="Bracket: {escaped(title)}">{style}{"".join(parts)}</svg>'
+        f'role="img" aria-label="Bracket: {escape(title)}">{style}{"".join(parts)}</svg>'
     )
 
 
@@ -86,11 +89,6 @@ def _placed(ties: list[Tie], top: float) -> list[_Placed]:
         for at, column in enumerate(rounds.values())
         for tie in column
     ]
-
-
-def _heads(placed: list[_Placed], y: float) -> list[str]:
-    columns = {one.x: one.tie.round_title for one in placed}
-    return [f'<text class="head" x="{x:g}" y="{y:g}">{escaped(name)}</text>' for x, name in columns.items()]
 
 
 def _joins(placed: list[_Placed]) -> list[str]:
@@ -121,7 +119,7 @@ def _box(one: _Placed, name: Callable[[str], str], links: Mapping[str, str]) -> 
         text = name(team) if team else tie.sources[side]
         shown = fitted(text, _CHARACTERS_WITHOUT_SCORE if tie.scores is None else _CHARACTERS)
         parts.append(
-            f'<text class="{kind}" x="{x + 9:g}" y="{base:g}">{escaped(shown)}<title>{escaped(text)}</title></text>'
+            f'<text class="{kind}" x="{x + 9:g}" y="{base:g}">{escape(shown)}<title>{escape(text)}</title></text>'
         )
         if tie.scores is not None:
             score = number_words(tie.scores[side])
@@ -129,8 +127,8 @@ def _box(one: _Placed, name: Callable[[str], str], links: Mapping[str, str]) -> 
                 f'<text class="{kind}" x="{x + _BOX_WIDTH - 9:g}" y="{base:g}" text-anchor="end">{score}</text>'
             )
     if tie.decided_by not in ("", "match", "bye"):
-        how = escaped(tie.decided_by.replace("_", " "))
+        how = escape(tie.decided_by.replace("_", " "))
         parts.append(f'<text class="note" x="{x + 9:g}" y="{y + _BOX_HEIGHT + 12:g}">by {how}</text>')
     link = next((links[fixture] for fixture in reversed(tie.fixtures) if fixture in links), "")
     content = "".join(parts)
-    return f'<a href="{escaped(link)}">{content}</a>' if link else content
+    return f'<a href="{escape(link)}">{content}</a>' if link else content

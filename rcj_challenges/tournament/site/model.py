@@ -21,11 +21,6 @@ from rcj_challenges.views.naming import distinct_names
 _LONGEST_NAME = 60
 
 
-def _clean_name(name: str) -> str:
-    """Return a name without what would move its surroundings, or what UTF-8 cannot hold."""
-    return sanitize(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
-
-
 def group_title(stage: StageState, group: str) -> str:
     """Return the title of a group or a challenge: ``Group A``."""
     return f"Group {group}" if stage.has_groups and group else humanized(group)
@@ -138,7 +133,8 @@ class Season:
         self.source = source
         self.state = source.state
         self.teams = source.state.teams
-        shown = {team.id: _clean_name(team.name) or team.id for team in self.teams.values()}
+        clean = {team.id: sanitize(team.name, _LONGEST_NAME) for team in self.teams.values()}
+        shown = {team: name.encode("utf-8", "replace").decode().strip() or team for team, name in clean.items()}
         self._names = distinct_names(shown)
 
     def name(self, team: str) -> str:

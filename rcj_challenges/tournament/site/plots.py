@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from html import escape
 from itertools import cycle
 from statistics import median
 
 from markupsafe import Markup
 
 from rcj_challenges.core.amounts import number_words
-from rcj_challenges.tournament.site.render import escaped, fitted
+from rcj_challenges.tournament.site.render import fitted
 
 _WIDTH = 360
 _MAX_LABEL_CHARACTERS = 16
@@ -70,7 +71,7 @@ def form_plot(results: Sequence[tuple[str, float]]) -> Markup:
         kind = "won" if difference > 0 else "lost" if difference < 0 else "drawn"
         parts.append(
             f'<rect class="{kind}" x="{4 + at * wide:.1f}" y="{top:.1f}" width="{wide * 0.8:.1f}" height="{tall:.1f}" '
-            f'rx="2"><title>{escaped(title)}: {difference:+g}</title></rect>'
+            f'rx="2"><title>{escape(title)}: {difference:+g}</title></rect>'
         )
     return _picture("".join(parts), _WIDTH, 2 * middle, "Goal differences, oldest match first")
 
@@ -97,11 +98,11 @@ def distribution_plot(values: Mapping[str, Sequence[float]], unit: str) -> Marku
         y = top + row * (at + 0.5)
         parts.append(
             f'<text class="name" x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">'
-            f"{escaped(fitted(name, _MAX_LABEL_CHARACTERS))}</text>"
+            f"{escape(fitted(name, _MAX_LABEL_CHARACTERS))}</text>"
         )
         parts += [
             f'<circle class="dot" cx="{x(value):.1f}" cy="{y:.1f}" r="4">'
-            f"<title>{escaped(name)}: {number_words(value, 3)}</title></circle>"
+            f"<title>{escape(name)}: {number_words(value, 3)}</title></circle>"
             for value in several
         ]
         if len(several) > 1:
@@ -110,14 +111,14 @@ def distribution_plot(values: Mapping[str, Sequence[float]], unit: str) -> Marku
                 f'<line class="median" x1="{at_median:.1f}" x2="{at_median:.1f}" y1="{y - 8:.1f}" y2="{y + 8:.1f}"/>'
             )
     parts.append(
-        f'<text class="axis" x="{right}" y="{bottom + 28}" text-anchor="end">{escaped(unit)}; line: median</text>'
+        f'<text class="axis" x="{right}" y="{bottom + 28}" text-anchor="end">{escape(unit)}; line: median</text>'
     )
     return _picture("".join(parts), _WIDTH, bottom + 34, f"Distribution of {unit} by team")
 
 
 def _picture(content: str, wide: float, tall: float, about: str) -> Markup:
     return Markup(  # noqa: S704 - every text in it was escaped above
-        f'<svg class="plot" viewBox="0 0 {wide:g} {tall:g}" role="img" aria-label="{escaped(about)}">{content}</svg>'
+        f'<svg class="plot" viewBox="0 0 {wide:g} {tall:g}" role="img" aria-label="{escape(about)}">{content}</svg>'
     )
 
 

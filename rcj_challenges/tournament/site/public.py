@@ -32,6 +32,9 @@ _PUBLIC_RESULT = (
 )  # fmt: skip
 
 
+_PUBLIC_FAULT = ("robot", "team", "half", "tick", "kind")
+
+
 def fault_words(kind: str) -> str:
     """Return a verb: ``crashed``."""
     return FAULT_WORDS.get(kind, kind.replace("_", " "))
@@ -47,17 +50,13 @@ def public_result(result: Mapping[str, Any]) -> dict[str, Any]:
     return {
         **{key: result[key] for key in _PUBLIC_RESULT if key in result},
         "events": [_public_event(event) for event in result.get("events", ())],
-        "faults": [_public_fault(fault) for fault in result.get("faults", ())],
+        "faults": [{key: fault[key] for key in _PUBLIC_FAULT if key in fault} for fault in result.get("faults", ())],
     }
 
 
 def public_stats(stats: Mapping[str, Any]) -> dict[str, Any]:
     """Return the public part of the statistics of a match."""
     return {key: stats[key] for key in ("simulated_s", "play_s", "teams", "balls", "other_calls") if key in stats}
-
-
-def _public_fault(fault: Mapping[str, Any]) -> dict[str, Any]:
-    return {key: fault[key] for key in ("robot", "team", "half", "tick", "kind") if key in fault}
 
 
 def _public_event(event: Mapping[str, Any]) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import unicodedata
 from datetime import datetime, tzinfo
 from importlib.resources import files
@@ -99,8 +98,3 @@ def fitted(text: str, max_width: int) -> str:
             break
         kept += character
     return kept + "…"
-
-
-def escaped(text: object) -> str:
-    """Return text that is safe in HTML and SVG, also in attributes."""
-    return html.escape(str(text))

@@ -10,11 +10,11 @@ from __future__ import annotations
 import io
 import keyword
 import tokenize
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from itertools import combinations
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.submissions.archive import TeamError, read_contents
@@ -59,12 +59,13 @@ def similar_pairs(submissions: Mapping[str, Mapping[str, Path]]) -> tuple[list[S
         own: dict[str, Rows] = {}
         for purpose, path in paths.items():
             try:
-                files = _rows_of(read_contents(path).files.items())
+                files = read_contents(path).files
             except TeamError:
                 unread.append(team)
                 continue
             before = f"{purpose}: " if purpose else ""
-            own |= {f"{before}{name}": rows - known for name, rows in files.items() if rows - known}
+            rows = {f"{before}{name}": token_rows(files[name]) - known for name in files if name.suffix == ".py"}
+            own |= {name: new for name, new in rows.items() if new}
         programs[team] = own
     whole = {team: frozenset[int]().union(*files.values()) for team, files in programs.items()}
     found = []
@@ -102,10 +103,6 @@ def _share(one: Rows, other: Rows) -> float:
 def _similar_files(one: Mapping[str, Rows], other: Mapping[str, Rows]) -> tuple[tuple[str, str, float], ...]:
     pairs = [(a, b, _share(rows, others)) for a, rows in one.items() for b, others in other.items()]
     return tuple(sorted((pair for pair in pairs if pair[2] >= LEAST_SHARE), key=lambda pair: -pair[2])[:_MAX_FILES])
-
-
-def _rows_of(files: Iterable[tuple[PurePosixPath, bytes]]) -> dict[str, Rows]:
-    return {str(path): token_rows(content) for path, content in files if path.suffix == ".py"}
 
 
 @cache

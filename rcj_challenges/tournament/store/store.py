@@ -92,10 +92,10 @@ class Store:
 
     # --- submissions --------------------------------------------------------------------------------------------------
 
-    def add_submission(self, **columns: str) -> None:
-        """Note that a team has handed in something else than before; the columns are those of `SubmissionRow`."""
+    def add_submission(self, row: SubmissionRow) -> None:
+        """Note that a team has handed in something else than before."""
         with self.transaction() as connection:
-            connection.execute(sa.insert(SUBMISSION).values(columns | {"received_at": self.now()}))
+            connection.execute(sa.insert(SUBMISSION).values(row._asdict()))
 
     def submissions(self) -> list[SubmissionRow]:
         """Return all submissions, oldest first."""
@@ -323,7 +323,10 @@ class Store:
         with self._engine.connect() as connection:
             version = connection.scalar(sa.select(META.c.value).where(META.c.key == _VERSION_KEY))
         if version != str(STORE_VERSION):
-            raise _other_version(self._path, version or "none")
+            found = version or "none"
+            message = f"the store {self._path} has version {found}; this rcj-challenges reads version {STORE_VERSION}"
+            help_ = "use the rcj-challenges that made it, or give another folder with --data"
+            raise DiagnosticError(Diagnostic("store-version", message, help_))
 
     def _is_new(self) -> bool:
         """Return whether there is nothing in it: no table yet, or empty ones because its making was interrupted."""
@@ -402,9 +405,3 @@ def _unwritable(path: Path, said: str) -> DiagnosticError:
     message = f"the tournament's data cannot be written: {path}: {said}"
     help_ = "free some space there, or allow writing; then run the command again: it continues where it stopped"
     return DiagnosticError(Diagnostic("store-unwritable", message, help_))
-
-
-def _other_version(path: Path, found: str) -> DiagnosticError:
-    message = f"the store {path} has version {found}; this rcj-challenges reads version {STORE_VERSION}"
-    help_ = "use the rcj-challenges that made it, or give another folder with --data"
-    return DiagnosticError(Diagnostic("store-version", message, help_))

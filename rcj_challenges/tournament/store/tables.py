@@ -76,7 +76,7 @@ class SubmissionRow(NamedTuple):
     file: str
     """Its path in the folder of submissions."""
     name: str
-    """What the team calls itself."""
+    """What the team calls itself; safe to show."""
     received_at: datetime
 
 

@@ -37,13 +37,7 @@ _STYLE = (
 
 
 class Entry(NamedTuple):
-    """A line of the legend.
-
-    Attributes:
-        number: the marker that it explains; empty: none.
-        colour: of that marker.
-        sample: SVG attributes of a small box that shows the line or area that it explains; empty: none.
-    """
+    """A line of the legend; it explains a marker by its number and colour, or a small box with SVG attributes."""
 
     text: str
     number: str = ""

@@ -25,10 +25,8 @@ _FORGIVEN_S = 0.2
 class Pace:
     """Decides when the next tick may begin; it is steered from another thread.
 
-    Args:
-        speed: simulated over wall time; `MAX_SPEED` does not wait.
-        changed: called with `state` after each change, by the thread that made it.
-        clock: seconds that only grow.
+    Speed is simulated over wall time; `MAX_SPEED` does not wait. ``changed`` is called with `state` after each change,
+    by the thread that made it.
     """
 
     def __init__(

@@ -61,7 +61,7 @@ class LiveShow:
         """
         self._scenario = scenario
         self._feed = Feed()
-        self.pace = Pace(speed, self._paced)
+        self.pace = Pace(speed, lambda state: self._feed.append(json_message({"say": "pace", **state})))
         self._feed.append(json_message({"say": "pace", **self.pace.state}))
         self.observer = LiveObserver(scenario, self._feed, self.pace)
         match = secrets.token_urlsafe(9)
@@ -129,9 +129,6 @@ class LiveShow:
 
     def __exit__(self, kind: object, error: object, trace: object) -> None:
         self.close()
-
-    def _paced(self, state: dict[str, object]) -> None:
-        self._feed.append(json_message({"say": "pace", **state}))
 
     def _flush_regularly(self) -> None:
         while not self._ended.wait(_FLUSH_EVERY_S):

@@ -23,12 +23,7 @@ _RUN = "play one with rcj-challenge run, or name another folder with --out"
 
 @dataclass(frozen=True)
 class RunRow:
-    """One record in a list.
-
-    Attributes:
-        result: None if it cannot be read; then ``problem`` is the reason.
-        score: points by team, so far if it was killed or goes on.
-    """
+    """One record in a list; it has a ``problem`` if it has no result. The score may be that of a run so far."""
 
     folder: Path
     result: RunResult | None
@@ -52,11 +47,7 @@ def list_runs(out: Path) -> list[RunRow]:
 
 
 def find_run(run: Path | None, out: Path) -> Path:
-    """Return the folder of a record.
-
-    Args:
-        run: a record's folder, a file in it, or its name (or the beginning of it) in ``out``; None: the newest.
-        out: where records are made.
+    """Return a record's folder, by its path, a file in it, its name (or the beginning) in ``out``; None: the newest.
 
     Raises:
         RecordError: there is none, or the beginning fits several.

@@ -68,9 +68,10 @@ class EventFacts:
     def event(self, event: TimelineEvent, teams: Mapping[str, str]) -> dict[str, Any]:
         """Return an event; ``teams`` are those of its half by seat."""
         name, cause, fault, scored = event.name, event.cause, event.fault, event.scored
-        seat = _whose(scored)
+        # The seat that gained points, or else one that lost some.
+        seat = next((seat for seat, points in scored.items() if points > 0), next(iter(scored), ""))
         team = teams.get(seat, seat)
-        standing = self._standing(event.score) if scored else ""
+        standing = " : ".join(number_words(event.score.get(team, 0)) for team in self._seats) if scored else ""
         trigger = cause.trigger if cause is not None else ""
         measured, limit = (None, None) if cause is None else (cause.measured, cause.limit)
         decimals = distinct_decimals(measured, limit, 4)
@@ -109,15 +110,6 @@ class EventFacts:
     def _points(self, event: TimelineEvent, teams: Mapping[str, str]) -> dict[str, str]:
         by_team = {teams.get(seat, seat): points for seat, points in event.scored.items() if points}
         return {self._names.get(team, team): f"{points:+g}" for team, points in by_team.items()}
-
-    def _standing(self, score: Mapping[str, Score]) -> str:
-        """Return a score, ``2 : 1`` in the order of the scoreboard: that of the seats of the first half."""
-        return " : ".join(number_words(score.get(team, 0)) for team in self._seats)
-
-
-def _whose(scored: Mapping[str, Score]) -> str:
-    """Return the seat that gained points, or else one that lost some; empty if the score did not change."""
-    return next((seat for seat, points in scored.items() if points > 0), next(iter(scored), ""))
 
 
 def _kind(name: str, scored: Mapping[str, Score]) -> str:

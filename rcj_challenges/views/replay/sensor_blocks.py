@@ -112,9 +112,7 @@ def columns_of(robot: SensedRobot) -> list[Column]:
 def speeds(ticks: Array, angles: Array) -> Array:
     """Return the speeds of wheels since the observation before, in rad/s; NaN for the first.
 
-    Args:
-        ticks: ``[N]``, of the observations.
-        angles: ``[N]`` or ``[N, wheels]``, in rad.
+    ``ticks``: ``[N]``, of the observations; ``angles``: ``[N]`` or ``[N, wheels]``, in rad.
     """
     turned = np.full(angles.shape, np.nan)
     passed = np.diff(ticks.astype(np.int64)) * TICK_S

@@ -49,14 +49,10 @@ class Tally:
 
 @dataclass
 class TeamTally:
-    """A team's robots and points.
+    """A team's robots and points over all runs, of which ``runs`` is the number.
 
-    Attributes:
-        robots: by label: the names that a robot had (``B1/Y1`` where teams changed sides).
-        points: over all runs.
-        runs: how many it played in.
-        ball_ticks: ticks of play in them, for each ball.
-        programs: digests of the submissions that played under its name.
+    Robots go by label: the names that a robot had (``B1/Y1`` where teams changed sides). ``ball_ticks`` are the ticks
+    of play, for each ball.
     """
 
     robots: dict[str, Tally] = field(default_factory=dict)
@@ -77,16 +73,11 @@ class TeamTally:
 
 @dataclass
 class Stats:
-    """One run or several.
+    """One run or several, by the names of their folders, teams and balls.
 
     Attributes:
-        runs: names of the runs' folders.
-        teams: by the teams' names.
-        balls: by name.
         play_ticks: ticks of play: not waiting for a kick-off.
-        ticks: all ticks.
         calls: referee calls that are about no robot, by event.
-        has_goals: whether any scenario had a goal to shoot at.
         notes: what is missing or damaged, each with the run's name.
     """
 

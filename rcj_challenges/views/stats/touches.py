@@ -80,12 +80,9 @@ def touch_ends(contacts: Contacts, robot: int) -> list[int]:
 
 @dataclass(frozen=True)
 class Goals:
-    """What there is to shoot at.
+    """The goals, by end (1 or -1) with the widths between the posts.
 
-    Attributes:
-        line_y_m: distance of the goal lines from the centre.
-        half_width_m: half of the field's width, the corner walls left out.
-        widths_m: by end (1 or -1) the width between the posts.
+    The lines are ``line_y_m`` off the centre; corner walls are left out of half the field's width.
     """
 
     line_y_m: float

@@ -39,11 +39,9 @@ class View(NamedTuple):
 
 @dataclass(frozen=True)
 class Camera:
-    """A camera.
+    """A camera; one of the kinds ``behind`` and ``follow-ball`` has the index of a robot or ball, others -1.
 
-    Attributes:
-        kind: ``field`` (all of it, from a raised seat), ``top``, ``side``, ``behind`` or ``follow-ball``.
-        entity: index of the robot or ball that is followed; -1 for still cameras.
+    ``field`` shows all of it, from a raised seat; ``top`` and ``side`` are still, too.
     """
 
     kind: str

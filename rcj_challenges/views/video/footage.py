@@ -33,11 +33,9 @@ Poses = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class HalfFootage:
-    """One half.
+    """One half: poses, ``[1 + T, E, 4]``, x, y, yaw, z at each tick; and jumps, ``[T, E]``.
 
-    Attributes:
-        poses: ``[1 + T, E, 4]``, x, y, yaw, z at each tick.
-        jumps: ``[T, E]``: whether an entity was put elsewhere after a tick, so that it does not glide there.
+    An entity that was put elsewhere after a tick jumps, so that it does not glide there.
     """
 
     info: HalfInfo
@@ -95,14 +93,7 @@ class HalfFootage:
 
 @dataclass(frozen=True)
 class Footage:
-    """All of a run that can be shown.
-
-    Attributes:
-        things: as on the replay page.
-        halves: those with at least one tick.
-        events: as on the replay page, in order.
-        warnings: what is missing or damaged, a sentence each.
-    """
+    """All of a run that can be shown; things and events are as on the replay page."""
 
     scenario: Scenario
     roster: Roster

@@ -22,11 +22,7 @@ class Scene:
 
 
 class Effect:
-    """A physical effect that MuJoCo lacks, or computes differently. Each hook is optional.
-
-    Attributes:
-        is_needed: whether it can have an effect in this world.
-    """
+    """A physical effect that MuJoCo lacks, or computes differently. Each hook is optional; not every world needs it."""
 
     is_needed = True
 

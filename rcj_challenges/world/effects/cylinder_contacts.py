@@ -22,7 +22,6 @@ class CylinderContacts(Effect):
     """All round obstacles, fixed and movable."""
 
     def __init__(self, scene: Scene) -> None:
-
         model, data, tables = scene.model, scene.data, scene.tables
         obstacles, entities = scene.scenario.obstacles, scene.roster.entities
         self._options, self._qpos = model.opt, one_by_one(data.qpos)

@@ -71,7 +71,6 @@ class RollingFriction(Effect):
     """
 
     def __init__(self, scene: Scene) -> None:
-
         data, tables, balls = scene.data, scene.tables, scene.scenario.balls
         self._qvel, self._forces_n = one_by_one(data.qvel), one_by_one(data.qfrc_applied)
         self._balls = [

@@ -45,7 +45,6 @@ class _Recoil:
     """
 
     def __init__(self, scene: Scene, entity: int) -> None:
-
         model, data, tables = scene.model, scene.data, scene.tables
         self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
         self._qacc, self._limits_n = one_by_one(data.qacc), one_by_one(model.dof_frictionloss)
@@ -89,7 +88,6 @@ class Restitution(Effect):
     """Balls at walls and obstacles."""
 
     def __init__(self, scene: Scene) -> None:
-
         model, data, tables = scene.model, scene.data, scene.tables
         balls, field = scene.scenario.balls, scene.scenario.field
         self._data, self._friction = data, min(field.friction, contact.BALL_ON_SOLID_FRICTION)
@@ -114,7 +112,6 @@ class Restitution(Effect):
         self._known: dict[bytes, tuple[Bounce, ...]] = {b"": ()}
 
     def after_substep(self, pattern: bytes) -> None:
-
         bounces = self._known.get(pattern)
         if bounces is None:
             bounces = self._find(pattern)

@@ -64,12 +64,7 @@ class BallAhead(NamedTuple):
 
 
 class Tools(Effect):
-    """All tools of one kind.
-
-    Attributes:
-        KIND: the device.
-        tools: by what they are commanded.
-    """
+    """All tools of one kind (`KIND`, the device), by what they are commanded."""
 
     KIND: ClassVar[type[Device]] = Device
 

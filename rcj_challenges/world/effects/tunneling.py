@@ -32,7 +32,6 @@ class Tunneling(Effect):
     """Balls that can sink too deep into something, within a sub-step, to be pushed out on the near side."""
 
     def __init__(self, scene: Scene) -> None:
-
         model, data, tables = scene.model, scene.data, scene.tables
         balls, obstacles = scene.scenario.balls, scene.scenario.obstacles.values()
         self._model, self._data = model, data
