@@ -1,5 +1,7 @@
 """Write docs/reference-scenario.md: every word of the scenario language, from the models and the examples.
 
+Also the table of docs/submission.md, from the codes.
+
 Sentences, types, units and defaults come from the models; the examples from the words themselves
 and, for what is not a word of rules, from ``docs/words/*.yaml``. Tests run all of them.
 
@@ -20,6 +22,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from rcj_challenges.chassis import CHASSIS, AnyChassis
+from rcj_challenges.cli.explain import all_codes
 from rcj_challenges.devices import DEVICES, AnyDevice
 from rcj_challenges.rules.actions import ACTIONS, AnyAction
 from rcj_challenges.rules.base import Vocabulary
@@ -44,6 +47,7 @@ from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, memb
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference-scenario.md"
+SUBMISSION = ROOT / "docs" / "submission.md"
 WORDS = ROOT / "docs" / "words"
 VOCABULARIES: dict[str, Vocabulary] = {
     "places": PLACES,
@@ -421,16 +425,35 @@ def _default(info: FieldInfo) -> str:
     return f"`{text.replace('(', '[').replace(')', ']').replace(',]', ']')}`"
 
 
+def submission_page() -> str:
+    """Return docs/submission.md with the table of what is checked before programs are started."""
+    before, _, rest = SUBMISSION.read_text(encoding="utf-8").partition("<!-- codes")
+    stages = ("archive", "layout", "identity", "sources")
+    rows = [
+        f"| `{code}` | {code.level} | {code.page.splitlines()[0]} | {code.repair} |"
+        for stage in stages
+        for code in all_codes().values()
+        if code.partition(".")[0] == stage
+    ]
+    table = ["| code | level | what is wrong | fix |", "|---|---|---|---|", *rows]
+    begin = "<!-- codes: python scripts/write_reference.py -->"
+    return "\n".join(
+        [before + begin, "", *table, "", "<!-- end of codes -->" + rest.partition("<!-- end of codes -->")[2]]
+    )
+
+
 def main(arguments: list[str]) -> int:
-    """Write or check the page; return the exit status."""
-    text = page()
-    if "--check" in arguments:
-        fresh = PAGE.is_file() and PAGE.read_text(encoding="utf-8") == text
-        print(f"{PAGE.name} is fresh" if fresh else f"{PAGE.name} is stale: python scripts/write_reference.py")
-        return 0 if fresh else 1
-    PAGE.write_text(text, encoding="utf-8", newline="\n")
-    print(PAGE.relative_to(ROOT).as_posix())
-    return 0
+    """Write or check the pages; return the exit status."""
+    stale = 0
+    for path, text in ((PAGE, page()), (SUBMISSION, submission_page())):
+        fresh = path.is_file() and path.read_text(encoding="utf-8") == text
+        if "--check" in arguments:
+            stale |= not fresh
+            print(f"{path.name} is fresh" if fresh else f"{path.name} is stale: python scripts/write_reference.py")
+        elif not fresh:
+            path.write_text(text, encoding="utf-8", newline="\n")
+            print(path.relative_to(ROOT).as_posix())
+    return stale
 
 
 if __name__ == "__main__":

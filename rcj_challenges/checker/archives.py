@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from rcj_challenges.checker.findings import Finding, Stage
+from rcj_challenges.checker.codes import ARCHIVE_SOUND
+from rcj_challenges.checker.findings import Stage
 from rcj_challenges.checker.identity import find_logo, finding_of, name_findings
 from rcj_challenges.checker.layout import layout_findings
 from rcj_challenges.checker.others import others_that_fit, seats_of
 from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.archive import Contents
@@ -82,5 +84,5 @@ def _archive(contents: Contents) -> Stage:
     if not contents.refused:
         count, size = len(contents.files), sum(map(len, contents.files.values()))
         message = f"{counted(count, 'file')}, {size / 1000:.1f} kB unpacked"
-        stage.findings.append(Finding("archive.sound", "passed", message))
+        stage.findings.append(Diagnostic(ARCHIVE_SOUND, message))
     return stage

@@ -10,12 +10,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rcj_challenges.checker.archives import Inspection, TeamError, inspect
+from rcj_challenges.checker.codes import CHECK_BROKEN, CHECK_IMPOSSIBLE
 from rcj_challenges.checker.discovery import SubmissionName, name_submissions
-from rcj_challenges.checker.findings import STAGES, Finding, Level, Stage, StageName, most_serious
+from rcj_challenges.checker.findings import STAGES, Stage, StageName, most_serious
 from rcj_challenges.checker.report import FileReport, MatchReport, first_cause, match_report, stage_report
 from rcj_challenges.checker.report_files import copy_page
 from rcj_challenges.checker.sources import check_sources
-from rcj_challenges.core.diagnostics import one_line
+from rcj_challenges.core.code import Level
+from rcj_challenges.core.codes import NO_MEMORY, NO_PHYSICS
+from rcj_challenges.core.diagnostics import Diagnostic, one_line
 from rcj_challenges.core.errors import (
     HostError,
     RcjError,
@@ -102,14 +105,14 @@ def check_file(
     try:
         check.run(path)
     except HostError as error:
-        check.hindrance, check.hindrance_code = sanitize(one_line(error)), error.code
+        check.hindrance, check.hindrance_code = sanitize(one_line(error)), error.code or ""
     return check.report(repaired or [], time.perf_counter() - began)
 
 
 def crashed_report(named: SubmissionName, message: str, details: str = "") -> FileReport:
     """Return the report on a submission whose check itself failed: nothing is known about it."""
     block = sanitize_block(details) if details else ""
-    finding = Finding("check.broken", "unchecked", sanitize(message, 400), _OUR_HELP, details=block)
+    finding = Diagnostic(CHECK_BROKEN, sanitize(message, 400), _OUR_HELP, details=block)
     return _report_without_check(named, finding, finding.message)
 
 
@@ -123,7 +126,7 @@ def unchecked_report(named: SubmissionName, hindrance: str) -> FileReport:
     return _report_without_check(named, None, sanitize(hindrance, 400))
 
 
-def _report_without_check(named: SubmissionName, finding: Finding | None, hindrance: str) -> FileReport:
+def _report_without_check(named: SubmissionName, finding: Diagnostic | None, hindrance: str) -> FileReport:
     stages = [Stage(name, skipped="the submission could not be checked") for name in STAGES]
     if finding is not None:
         stages[0] = Stage("archive", [finding])
@@ -216,7 +219,7 @@ class _Check:
         failed = next((need for need in _NEEDS[name] if need in self._stages and self._stages[need].failed), None)
         if failed is None:
             return ""
-        known = self._stages[failed].level == "failure"
+        known = self._stages[failed].level == "error"
         return f'the stage "{failed}" {"must pass first" if known else "could not be checked"}'
 
     def _run_programs(self, team: Team, name: str) -> None:
@@ -230,7 +233,7 @@ class _Check:
             from rcj_challenges.checker.rehearsal import Rehearsal  # noqa: PLC0415
             from rcj_challenges.checker.starting import check_start  # noqa: PLC0415
         except (ImportError, OSError) as error:
-            raise HostError(f"the physics cannot be loaded: {format_error(error)}", code="no-physics") from error
+            raise HostError(f"the physics cannot be loaded: {format_error(error)}", code=NO_PHYSICS) from error
         with _private_folders() as folders:
             rehearsal = Rehearsal(self._loaded, team, name, self._options.sandbox, folders.place)
             missing: list[str] = []  # devices, when the programs started
@@ -278,7 +281,7 @@ class _Check:
             ours = error.exit_code == _OUR_EXIT_CODE
             self._our_fault |= ours
             help_ = _OUR_HELP if ours else _IMPOSSIBLE_HELP
-            finding = Finding(f"{name}.impossible", "unchecked", sanitize(one_line(error), 400), help_)
+            finding = Diagnostic(CHECK_IMPOSSIBLE, sanitize(one_line(error), 400), help_)
             self._stages[name] = Stage(name, [finding])
         except Exception as error:
             if interruption_behind(error) is not None:
@@ -286,7 +289,7 @@ class _Check:
             _raise_if_of_the_host(error)
             self._our_fault = True
             message = f"the check itself stumbled at {name} ({type(error).__name__}: {sanitize(error, 120)})"
-            self._stages[name] = Stage(name, [Finding(f"{name}.stumbled", "unchecked", message, _OUR_HELP)])
+            self._stages[name] = Stage(name, [Diagnostic(CHECK_BROKEN, message, _OUR_HELP)])
 
     def _match(self, match: Rehearsed) -> MatchReport:
         """Report a match, keep its replay page, and quote what programs printed."""
@@ -336,7 +339,7 @@ def _raise_if_of_the_host(error: Exception) -> None:
     """
     for reason in (error, error.__cause__):
         if isinstance(reason, MemoryError):
-            raise HostError("there is not enough memory", code="no-memory") from error
+            raise HostError("there is not enough memory", code=NO_MEMORY) from error
         if isinstance(reason, UnwritableError) and reason.__cause__ is not None:  # a record that is kept there
             raise temporary_folder_error(reason.__cause__) from error
         if reason is not None and is_no_room(reason):

@@ -7,8 +7,10 @@ from typing import Any
 from rcj_challenges.checker.advice.devices import device_help, missing_devices, missing_sentence
 from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, whereabouts_in
 from rcj_challenges.checker.advice.table import Hint
-from rcj_challenges.checker.findings import Finding, StageName
+from rcj_challenges.checker.findings import StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks
 
@@ -19,7 +21,7 @@ _MAX_DEVICES = 10
 _OTHER_HELP = "see the report below, if there is one, and the program's output (--show-output)"
 
 
-def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str = "") -> list[Finding]:
+def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str = "") -> list[Diagnostic]:
     """Return one finding for each kind of failure; robots that failed alike share one.
 
     Args:
@@ -39,7 +41,7 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
 
 def _fault_finding(
     stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str, faults: list[dict[str, Any]]
-) -> Finding:
+) -> Diagnostic:
     first, robots = faults[0], [fault["robot"] for fault in faults]
     kind, detail, traceback = first["kind"], first["detail"], first["traceback"]
     # Robots that hang are stopped at different places: one is enough.
@@ -49,13 +51,13 @@ def _fault_finding(
     hint = hint or Hint(kind, HELP_BY_FAULT.get(kind, _OTHER_HELP))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts
-    return Finding(
-        code=f"{stage}.{kind}",
-        level="failure",
-        message=f"{when}{sanitize(detail, 300) or kind}",
-        help=hint.help,
-        where=", ".join(robots),
+    return Diagnostic(
+        Code.named(f"{stage}.{kind}"),
+        f"{when}{sanitize(detail, 300) or kind}",
+        hint.help,
+        ", ".join(robots),
         details=sanitize_block(report) if report else "",
+        level="error",
     )
 
 
@@ -68,7 +70,9 @@ def missing_by_device(match: Rehearsed) -> MissingDevices:
     return missing
 
 
-def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehearsal, side: str = "") -> list[Finding]:
+def device_findings(
+    stage: StageName, missing: MissingDevices, rehearsal: Rehearsal, side: str = ""
+) -> list[Diagnostic]:
     """Return a warning for each missing device that a program requested.
 
     Args:
@@ -81,5 +85,5 @@ def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehear
     for name, robots in list(missing.items())[:_MAX_DEVICES]:
         message = f"{side}{missing_sentence(name)}"
         help_ = device_help(rehearsal.loaded.scenario, rehearsal.team, robots[0], name, missing)
-        findings.append(Finding(f"{stage}.no_device", "warning", message, help_, ", ".join(robots)))
+        findings.append(Diagnostic(Code.named(f"{stage}.no_device"), message, help_, ", ".join(robots)))
     return findings

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Annotated, Any, Literal
+from typing import Literal
 
-from pydantic import Field
+from rcj_challenges.core.code import Level
+from rcj_challenges.core.diagnostics import Diagnostic
 
-Level = Literal["passed", "warning", "failure", "unchecked"]
-"""How serious something is; ``unchecked``: unknown, and no verdict on the submission."""
-
-RANKS: tuple[Level, ...] = ("passed", "warning", "failure", "unchecked")
+RANKS: tuple[Level, ...] = ("passed", "warning", "error", "unchecked")
 """All levels; of many, the last one is that of all."""
 
 StageName = Literal["archive", "layout", "identity", "sources", "start", "play"]
@@ -27,25 +25,6 @@ STAGES: dict[StageName, str] = {
 """All stages in their order, and what each is about."""
 
 
-def _about(text: str) -> Any:
-    return Field(description=text)
-
-
-@dataclass(frozen=True)
-class Finding:
-    """One thing that was found. All texts are safe to print on a terminal."""
-
-    code: Annotated[str, _about("stable over versions: archive.encrypted")]
-    level: Annotated[
-        Level, _about("severity; unchecked: not about the submission, but the reason why nothing is known")
-    ]
-    message: Annotated[str, _about("what was found, one line")]
-    help: Annotated[str, _about("what to do; empty if there is nothing to do")] = ""
-    where: Annotated[str, _about("the file in the submission, with line and column where known, or the robots")] = ""
-    repair: Annotated[bool, _about("whether --fix repairs it")] = False
-    details: Annotated[str, _about("more lines, such as a traceback; usually empty")] = ""
-
-
 @dataclass
 class Stage:
     """One stage of a check.
@@ -57,7 +36,7 @@ class Stage:
     """
 
     name: StageName
-    findings: list[Finding] = field(default_factory=list)
+    findings: list[Diagnostic] = field(default_factory=list)
     skipped: str = ""
 
     @property
@@ -68,7 +47,7 @@ class Stage:
     @property
     def failed(self) -> bool:
         """Whether later stages that need this one make no sense."""
-        return self.level in ("failure", "unchecked")
+        return self.level in ("error", "unchecked")
 
 
 def most_serious(levels: Iterable[Level]) -> Level:

@@ -6,10 +6,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.findings import Finding
+from rcj_challenges.checker.codes import (
+    IDENTITY_LOGO,
+    IDENTITY_LOGO_ANIMATED,
+    IDENTITY_LOGO_BYTES,
+    IDENTITY_LOGO_DAMAGED,
+    IDENTITY_LOGO_FILE,
+    IDENTITY_LOGO_MISSING,
+    IDENTITY_LOGO_NO_PICTURE,
+    IDENTITY_LOGO_SIZE,
+    IDENTITY_LOGO_TYPE,
+    IDENTITY_NAME,
+)
 from rcj_challenges.checker.images import Picture, identify
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, LogoError, checked_png
-from rcj_challenges.submissions.problems import Problem, safe_text
+from rcj_challenges.submissions.problems import safe_text
 from rcj_challenges.submissions.team import LOGO_FILE, Opening, may_be_logo
 
 _AS_PNG = "save it as a PNG"
@@ -27,21 +40,21 @@ class Logo:
 
     path: PurePosixPath | None
     shown: bytes | None
-    findings: tuple[Finding, ...]
+    findings: tuple[Diagnostic, ...]
 
 
-def finding_of(trouble: Problem) -> Finding:
+def finding_of(trouble: Diagnostic) -> Diagnostic:
     """Return a trouble as a finding."""
-    return Finding(
-        trouble.code, trouble.level, trouble.message, trouble.help, where=trouble.where, repair=trouble.repair
+    return Diagnostic(
+        trouble.code, trouble.message, trouble.help, trouble.where, repair=trouble.repair, level=trouble.level
     )
 
 
-def name_findings(opening: Opening) -> list[Finding]:
+def name_findings(opening: Opening) -> list[Diagnostic]:
     """Return the team's name with findings on it."""
     found = [finding_of(trouble) for trouble in opening.name.troubles]
     if opening.name.given:
-        found.append(Finding("identity.name", "passed", f"the team is called {opening.name.text}"))
+        found.append(Diagnostic(IDENTITY_NAME, f"the team is called {opening.name.text}"))
     return found
 
 
@@ -49,15 +62,13 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     """Find the logo among a team's files and look at it."""
     path = _logo_file(files)
     if path is None:
-        return Logo(
-            None, None, (Finding("identity.logo_missing", "passed", f"there is no {LOGO_FILE}: none is needed"),)
-        )
+        return Logo(None, None, (Diagnostic(IDENTITY_LOGO_MISSING, f"there is no {LOGO_FILE}: none is needed"),))
     findings = []
     taken = path.name.casefold() == LOGO_FILE
     if path != PurePosixPath(LOGO_FILE):
         message = f"the logo is {safe_text(path)}" + ("" if taken else ", which is not shown")
         help_ = f"call it {LOGO_FILE} and put it beside the programs' folders"
-        findings.append(_warning("logo_file", message, help_, path))
+        findings.append(_warning(IDENTITY_LOGO_FILE, message, help_, path))
     data = files[path]
     shown = None
     try:
@@ -70,8 +81,8 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     return Logo(path, shown, tuple(findings))
 
 
-def _warning(code: str, message: str, help_: str, path: PurePosixPath) -> Finding:
-    return Finding(f"identity.{code}", "warning", message, help_, safe_text(path), repair=True)
+def _warning(code: Code, message: str, help_: str, path: PurePosixPath) -> Diagnostic:
+    return Diagnostic(code, message, help_, safe_text(path), repair=True)
 
 
 def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:
@@ -81,26 +92,28 @@ def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:
     return next(iter(ranked), None)
 
 
-def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: str) -> Finding:
+def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: str) -> Diagnostic:
     """Return why a logo is not shown."""
     name = safe_text(path)
     if picture is None:
-        return _warning("logo_no_picture", f"{name} is no picture: {reason}", _AS_PNG, path)
+        return _warning(IDENTITY_LOGO_NO_PICTURE, f"{name} is no picture: {reason}", _AS_PNG, path)
     if picture.kind != "PNG":
-        return _warning("logo_type", f"{name} is a {picture.kind}, not a PNG, and is not shown", _AS_PNG, path)
+        return _warning(IDENTITY_LOGO_TYPE, f"{name} is a {picture.kind}, not a PNG, and is not shown", _AS_PNG, path)
     if max(picture.width, picture.height) > MAX_LOGO_SIDE:
         message = f"{name} has {picture.width} x {picture.height} pixels and is not shown"
-        return _warning("logo_size", message, f"make it at most {MAX_LOGO_SIDE} pixels wide and high", path)
+        return _warning(IDENTITY_LOGO_SIZE, message, f"make it at most {MAX_LOGO_SIDE} pixels wide and high", path)
     if len(data) > MAX_LOGO_BYTES:
         message = f"{name} has {len(data) / 1e6:.1f} MB and is not shown"
-        return _warning("logo_bytes", message, f"make it at most {MAX_LOGO_BYTES / 1e6:.0f} MB", path)
-    return _warning("logo_damaged", f"{name} is not shown: {reason}", _AS_PNG, path)
+        return _warning(IDENTITY_LOGO_BYTES, message, f"make it at most {MAX_LOGO_BYTES / 1e6:.0f} MB", path)
+    return _warning(IDENTITY_LOGO_DAMAGED, f"{name} is not shown: {reason}", _AS_PNG, path)
 
 
-def _accepted(path: PurePosixPath, picture: Picture | None) -> list[Finding]:
+def _accepted(path: PurePosixPath, picture: Picture | None) -> list[Diagnostic]:
     if picture is None or path.name.casefold() != LOGO_FILE:
         return []
     if picture.animated:
-        return [_warning("logo_animated", f"{safe_text(path)} moves: only its first picture is shown", _AS_PNG, path)]
+        return [
+            _warning(IDENTITY_LOGO_ANIMATED, f"{safe_text(path)} moves: only its first picture is shown", _AS_PNG, path)
+        ]
     message = f"the logo has {picture.width} x {picture.height} pixels"
-    return [Finding("identity.logo", "passed", message, where=safe_text(path))]
+    return [Diagnostic(IDENTITY_LOGO, message, where=safe_text(path))]

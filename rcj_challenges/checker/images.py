@@ -10,6 +10,7 @@ import io
 import warnings
 from dataclasses import dataclass
 
+from rcj_challenges.core.codes import UNUSABLE_PICTURE
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, PNG_SIGNATURE
 
@@ -24,7 +25,7 @@ _SIDES = (MAX_LOGO_SIDE, 512, 256, 128)  # 128 pixels a side are 65 kB, however 
 class PictureError(RcjError):
     """A picture cannot be converted; the message says why."""
 
-    CODE = "unusable-picture"
+    CODE = UNUSABLE_PICTURE
 
 
 @dataclass(frozen=True)

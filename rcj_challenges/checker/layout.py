@@ -6,11 +6,25 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.findings import Finding
+from rcj_challenges.checker.codes import (
+    LAYOUT_EMPTY_ENTRY,
+    LAYOUT_EMPTY_PROGRAM,
+    LAYOUT_FOLDER_NAME,
+    LAYOUT_MISNAMED,
+    LAYOUT_NEVER_STARTED,
+    LAYOUT_NO_FOLDER,
+    LAYOUT_PROGRAM,
+    LAYOUT_SAME_PROGRAM,
+    LAYOUT_SINGLE_PROGRAM,
+    LAYOUT_TOP_FOLDER,
+)
 from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
 from rcj_challenges.checker.others import suggest_scenarios
 from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.models.robots import Entrant
+from rcj_challenges.submissions.codes import LAYOUT_MISSING
 from rcj_challenges.submissions.problems import safe_text
 from rcj_challenges.submissions.team import Opening, missing_programs
 
@@ -33,7 +47,7 @@ class Empty:
     spare: bool
 
 
-def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
+def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Diagnostic]:
     """Return findings on the places of a submission's files.
 
     Args:
@@ -66,61 +80,61 @@ def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant
     return found
 
 
-def _folder_findings(opening: Opening) -> list[Finding]:
+def _folder_findings(opening: Opening) -> list[Diagnostic]:
     if opening.contents.kind == "program":
         message = f"a single program drives all robots: {safe_text(next(iter(opening.files), ''))}"
-        return [Finding("layout.single_program", "warning", message, "a submission is a ZIP", repair=True)]
+        return [Diagnostic(LAYOUT_SINGLE_PROGRAM, message, "a submission is a ZIP", repair=True)]
     if opening.contents.kind != "zip":
         return []
     top, found = opening.top, []
 
-    def warn(code: str, message: str, help_: str, where: str = "") -> None:
-        found.append(Finding(f"layout.{code}", "warning", message, help_, where, repair=True))
+    def warn(code: Code, message: str, help_: str, where: str = "") -> None:
+        found.append(Diagnostic(code, message, help_, where, repair=True))
 
     if opening.within is not None and not top.parts:
         message = f"the programs are not in a folder {safe_text(opening.within)}"
-        warn("no_folder", message, "pack that folder, not only what is in it")
+        warn(LAYOUT_NO_FOLDER, message, "pack that folder, not only what is in it")
     elif opening.within is not None:
         message = f"the folder of the programs is called {safe_text(top.name)}"
-        warn("folder_name", message, f"call it {safe_text(opening.within)}", safe_text(top))
+        warn(LAYOUT_FOLDER_NAME, message, f"call it {safe_text(opening.within)}", safe_text(top))
         top = top.parent
     if top.parts:
         message = f"everything lies in an extra folder: {safe_text(top)}"
-        warn("top_folder", message, "pack what is in it, not the folder itself", safe_text(top))
+        warn(LAYOUT_TOP_FOLDER, message, "pack what is in it, not the folder itself", safe_text(top))
     return found
 
 
-def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
+def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Diagnostic]:
     files = opening.contents.files
     plan = plan_moves(files, seats) if not others else None
     message = missing_programs(files, opening.missing, hint=plan is None, others=all_entries(seats))
     if plan is not None:
         help_ = "; ".join(filter(None, (", ".join(map(str, plan.moves)), plan.caution)))
-        return [Finding("layout.misnamed", "failure", message, help_, safe_text(plan.moves[0].old), not plan.caution)]
+        return [Diagnostic(LAYOUT_MISNAMED, message, help_, safe_text(plan.moves[0].old), repair=not plan.caution)]
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
     if nested:
         help_ = f"pack what is in {nested[0].where}, not the archive itself"
     else:
         elsewhere = f"{suggest_scenarios(others)}; if it is for this scenario, " if others else ""
         help_ = f"{elsewhere}add or rename the program: {' or '.join(next(iter(opening.missing.values())))}"
-    return [Finding("layout.missing", "failure", message, help_)]
+    return [Diagnostic(LAYOUT_MISSING, message, help_)]
 
 
-def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Diagnostic]:
     found = []
     for empty in empty_programs(opening.files, seats):
         name = safe_text(empty.path)
         if empty.started:
             message = f"{name} is empty, and it is what {', '.join(empty.started)} would be started with"
             help_ = "delete it" if empty.spare else "put the program into it"
-            found.append(Finding("layout.empty_entry", "failure", message, help_, name, repair=empty.spare))
+            found.append(Diagnostic(LAYOUT_EMPTY_ENTRY, message, help_, name, repair=empty.spare))
         else:
             message = f"{name} is empty, and this scenario does not ask for it"
-            found.append(Finding("layout.empty_program", "warning", message, "delete it", name, repair=empty.spare))
+            found.append(Diagnostic(LAYOUT_EMPTY_PROGRAM, message, "delete it", name, repair=empty.spare))
     return found
 
 
-def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Diagnostic]:
     """Return which robots are started with which program, and the programs that no robot is started with.
 
     The latter are alternatives that the scenario names and does not take, and folders with a name much like one that it
@@ -131,7 +145,7 @@ def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Findin
         if entry is not None:
             robots.setdefault(entry, []).append(robot)
     found = [
-        Finding("layout.program", "passed", f"{', '.join(names)}: {safe_text(entry)}", where=safe_text(entry))
+        Diagnostic(LAYOUT_PROGRAM, f"{', '.join(names)}: {safe_text(entry)}", where=safe_text(entry))
         for entry, names in robots.items()
     ]
     # Beside an empty file that is to be deleted, those that are started then are in use.
@@ -156,16 +170,16 @@ def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Findin
 
 def _never_started(
     files: Mapping[PurePosixPath, bytes], path: PurePosixPath, entries: Sequence[PurePosixPath]
-) -> Finding:
+) -> Diagnostic:
     place = safe_text(path)
     twin = next((entry for entry in entries if _content(files, path) == _content(files, entry)), None)
     if twin is not None:
         message = f"{place} is never started; what is in its folder is the same as in {safe_text(twin.parent)}"
-        return Finding("layout.same_program", "passed", message, where=place)
+        return Diagnostic(LAYOUT_SAME_PROGRAM, message, where=place)
     started = ", ".join(safe_text(entry) for entry in dict.fromkeys(entries))
     message = f"{place} is never started: robots of either colour are started with {started}"
     help_ = "put what it does into the program that is started, which can call robot.getName(); else delete it"
-    return Finding("layout.never_started", "warning", message, help_, place)
+    return Diagnostic(LAYOUT_NEVER_STARTED, message, help_, place)
 
 
 def _content(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> dict[PurePosixPath, bytes]:

@@ -9,10 +9,23 @@ from typing import Any
 
 from rcj_challenges.checker.advice.devices import MAX_COMPLAINTS, complaints_in
 from rcj_challenges.checker.advice.hints import standing_help
+from rcj_challenges.checker.codes import (
+    PLAY_ABSENT,
+    PLAY_COMPLAINT,
+    PLAY_NO_TOUCH,
+    PLAY_PLAYED,
+    PLAY_PRINTS_MUCH,
+    PLAY_SLOW,
+    PLAY_SLOW_STEP,
+    PLAY_STANDS,
+    PLAY_THREAD,
+)
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
-from rcj_challenges.checker.findings import Finding, Level, Stage
+from rcj_challenges.checker.findings import Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, late_from_ticks, rehearse
 from rcj_challenges.core.amounts import number_words
+from rcj_challenges.core.code import Level
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.observers import ProgramTimes
@@ -58,7 +71,7 @@ def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[str] = ()
     return stage, matches
 
 
-def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: MissingDevices) -> list[Finding]:
+def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: MissingDevices) -> list[Diagnostic]:
     """Return all findings: fatal ones after their possible causes and before hints at likely mistakes."""
     absent = _rarely_stepping(match)
     return [
@@ -82,7 +95,7 @@ def _rarely_stepping(match: Rehearsed) -> dict[str, int]:
     return {robot: wait.steps for robot, wait in match.waits.items() if robot not in failed and wait.steps < least}
 
 
-def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Finding]:
+def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Diagnostic]:
     if not absent:
         return []
     ticks = ticks_from_s(match.simulated_s)
@@ -91,10 +104,10 @@ def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) 
         "look for time.sleep, a wait, or a step of many seconds: meanwhile the motors keep their last speeds, and "
         "the robot sees nothing; in a loop call robot.step(32) instead, and compare robot.getTime()"
     )
-    return [Finding("play.absent", "warning", message, help_, ", ".join(absent))]
+    return [Diagnostic(PLAY_ABSENT, message, help_, ", ".join(absent))]
 
 
-def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
+def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Diagnostic]:
     """Return a warning for each program whose robots did not move: without those that failed or were absent."""
     known = {*absent, *(fault["robot"] for fault in match.faults)}
     standing: dict[str, list[str]] = {}  # by program
@@ -105,18 +118,15 @@ def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], s
     helps = {
         entry: standing_help(rehearsal.loaded.scenario, rehearsal.team, robots[0]) for entry, robots in standing.items()
     }
-    return [
-        Finding("play.stands", "warning", message, helps[entry], ", ".join(robots))
-        for entry, robots in standing.items()
-    ]
+    return [Diagnostic(PLAY_STANDS, message, helps[entry], ", ".join(robots)) for entry, robots in standing.items()]
 
 
-def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Diagnostic]:
     if not _is_about_a_ball(rehearsal.loaded) or any(activity.ball_touches for activity in match.robots.values()):
         return []
     message = f"{side}no robot touched the ball in {match.simulated_s:.0f} s"
     help_ = "do they find it? Watch the replay (--replay DIR)"
-    return [Finding("play.no_touch", "warning", message, help_, ", ".join(match.robots))]
+    return [Diagnostic(PLAY_NO_TOUCH, message, help_, ", ".join(match.robots))]
 
 
 def _is_about_a_ball(loaded: Loaded) -> bool:
@@ -134,7 +144,7 @@ def _words(data: Any) -> Iterator[str]:
         yield data
 
 
-def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Diagnostic]:
     """Compare the time that programs took with what a half and a step allow."""
     scenario = rehearsal.loaded.scenario
     limits, half_s = scenario.limits, longest_half_s(scenario.match)
@@ -149,12 +159,12 @@ def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
                 f"{side}uses {wait.waited_s:.1f} s in {match.simulated_s:.0f} s of play, "
                 f"that is {whole_s:.0f} s in a half; {limits.half_s:g} s are allowed"
             )
-            level: Level = "failure" if whole_s > _TOO_SLOW_SHARE * limits.half_s else "warning"
+            level: Level = "error" if whole_s > _TOO_SLOW_SHARE * limits.half_s else "warning"
             help_ = f"do less in each step: {mean_ms:.1f} ms for each tick of 32 ms is the limit in the long run"
-            findings.append(Finding("play.slow", level, message, help_, robot))
+            findings.append(Diagnostic(PLAY_SLOW, message, help_, robot, level=level))
         elif wait.slowest_s > _SLOW_SHARE * limits.step_s:
             message = f"{side}the slowest step takes {wait.slowest_s:.1f} s; {limits.step_s:g} s are allowed"
-            findings.append(Finding("play.slow_step", "warning", message, "spread long work over many steps", robot))
+            findings.append(Diagnostic(PLAY_SLOW_STEP, message, "spread long work over many steps", robot))
     return findings
 
 
@@ -171,7 +181,7 @@ def _shorter(first: Mapping[str, ProgramTimes], second: Mapping[str, ProgramTime
     }
 
 
-def _prints_much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+def _prints_much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Diagnostic]:
     """Compare what programs printed, scaled up to a half, with what they may print."""
     half_s, limit_mb = longest_half_s(rehearsal.loaded.scenario.match), rehearsal.loaded.scenario.limits.output_mb
     failed = {fault["robot"] for fault in match.faults}
@@ -193,13 +203,13 @@ def _prints_much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Find
     )
     if most_mb > limit_mb:
         message += ": it would be ended (output_flood)"
-    level: Level = "failure" if most_mb > _TOO_MUCH_SHARE * limit_mb else "warning"
+    level: Level = "error" if most_mb > _TOO_MUCH_SHARE * limit_mb else "warning"
     of_level = (name for name, mb in near_mb.items() if level == "warning" or mb > _TOO_MUCH_SHARE * limit_mb)
     help_ = "print less: only what changes, or in every 30th step"
-    return [Finding("play.prints_much", level, message, help_, ", ".join(of_level))]
+    return [Diagnostic(PLAY_PRINTS_MUCH, message, help_, ", ".join(of_level), level=level)]
 
 
-def _threads(match: Rehearsed, side: str) -> list[Finding]:
+def _threads(match: Rehearsed, side: str) -> list[Diagnostic]:
     """Return the errors that ended threads of a program that goes on."""
     ended: dict[str, tuple[str, list[str]]] = {}
     for robot in match.robots:
@@ -209,35 +219,34 @@ def _threads(match: Rehearsed, side: str) -> list[Finding]:
                 robots.append(robot)
     help_ = "correct the line below: the program continues without this thread, whose work is not done"
     return [
-        Finding(
-            code="play.thread",
-            level="warning",
-            message=f"{side}a thread of the program ended by an error: {sanitize(error, 300)}",
-            help=help_,
-            where=", ".join(robots),
+        Diagnostic(
+            PLAY_THREAD,
+            f"{side}a thread of the program ended by an error: {sanitize(error, 300)}",
+            help_,
+            ", ".join(robots),
             details=sanitize_block(report),
         )
         for error, (report, robots) in list(ended.items())[:MAX_COMPLAINTS]
     ]
 
 
-def _complaints(match: Rehearsed, side: str) -> list[Finding]:
+def _complaints(match: Rehearsed, side: str) -> list[Diagnostic]:
     """Return what the controller module found wrong with calls of the program."""
     complaints: dict[tuple[str, str], list[str]] = {}
     for robot in match.robots:
         for complaint in complaints_in(match.notes[robot]):
             complaints.setdefault(complaint, []).append(robot)
     return [
-        Finding("play.complaint", "warning", f"{side}{what}", help_, ", ".join(robots))
+        Diagnostic(PLAY_COMPLAINT, f"{side}{what}", help_, ", ".join(robots))
         for (what, help_), robots in list(complaints.items())[:MAX_COMPLAINTS]
     ]
 
 
-def _summary(match: Rehearsed, side: str) -> Finding:
+def _summary(match: Rehearsed, side: str) -> Diagnostic:
     against = "".join(f" against {sanitize(name)}" for name in match.opponents.values())
     score = " : ".join(map(number_words, match.result["score"].values()))
     touches = sum(1 for activity in match.robots.values() if activity.ball_touches)
     summary = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
     if touches:
         summary += f", {touches} of {len(match.robots)} robots touched the ball"
-    return Finding("play.played", "passed", summary)
+    return Diagnostic(PLAY_PLAYED, summary)

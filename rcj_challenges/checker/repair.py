@@ -17,6 +17,7 @@ from rcj_challenges.checker.layout import empty_programs
 from rcj_challenges.checker.others import others_that_fit
 from rcj_challenges.checker.renaming import plan_moves
 from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.codes import CANNOT_WRITE, FILE_EXISTS
 from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.programs.private_folders import PrivateFolders
 from rcj_challenges.records.logos import LogoError, checked_png
@@ -24,7 +25,7 @@ from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.archive import Files
 from rcj_challenges.submissions.paths import clean, folded
-from rcj_challenges.submissions.problems import MAX_OF_A_KIND, MAX_PATH_SHOWN, safe_text, with_help
+from rcj_challenges.submissions.problems import MAX_OF_A_KIND, MAX_PATH_SHOWN, safe_text
 from rcj_challenges.submissions.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
 from rcj_challenges.submissions.team_name import NAME_FILE, find_team_name
 
@@ -49,7 +50,7 @@ _BY_WRITING = {
 class RepairError(RcjError):
     """A repaired archive cannot be written to the place that was given."""
 
-    CODE = "cannot-write"
+    CODE = CANNOT_WRITE
 
 
 @dataclass
@@ -96,10 +97,7 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
         trial.write_bytes(data)
         written = inspect(trial, scenario)
     result.left = [
-        with_help(finding.message, finding.help)
-        for stage in written.stages
-        for finding in stage.findings
-        if finding.level != "passed"
+        finding.sentence for stage in written.stages for finding in stage.findings if finding.level != "passed"
     ]
     if written.stages[0].failed:  # two names, or a file and a folder, in one place
         return Repaired(left=result.left)
@@ -111,7 +109,7 @@ def _hopeless(found: Inspection) -> list[str]:
     """Return why nothing can be written: parts cannot be read, or it is unclear which file to use."""
     contents = found.opening.contents
     if not contents.complete or any(not trouble.repair for trouble in contents.refused):
-        return [str(trouble) for trouble in contents.refused]
+        return [trouble.sentence for trouble in contents.refused]
     taken = set(map(folded, contents.files))
     clashes = []
     for name in contents.unsafe:
@@ -274,7 +272,7 @@ def _zipped(files: Files) -> bytes:
 
 def _taken(out: Path) -> RepairError:
     message = f"{safe_text(out, MAX_PATH_SHOWN)}: there is something already; nothing was written"
-    return RepairError(message, "choose another name, or move it away", code="file-exists")
+    return RepairError(message, "choose another name, or move it away", code=FILE_EXISTS)
 
 
 def _write(out: Path, data: bytes) -> None:

@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rcj_challenges.checker.findings import RANKS, STAGES, Finding, Level, Stage, StageName, most_serious
+import rcj_challenges.checker.codes
+import rcj_challenges.submissions.codes  # noqa: F401
+from rcj_challenges.checker.findings import RANKS, STAGES, Stage, StageName, most_serious
 from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.code import Level
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import SUBSTEP_S
 
@@ -34,7 +38,7 @@ class StageReport(_Part):
     about: str = _described("what it is about")
     level: Level = _described("the most severe of its findings")
     skipped: str = _described("why it was not carried out; empty if it was")
-    findings: list[Finding] = _described("what was found")
+    findings: list[Diagnostic] = _described("what was found")
 
 
 class RobotReport(_Part):
@@ -115,7 +119,7 @@ class Summary(_Part):
     files: int = _described("how many were checked", ge=0)
     passed: int = _described("how many are in order", ge=0)
     warning: int = _described("how many play, but with warnings", ge=0)
-    failure: int = _described("how many cannot be used as they are", ge=0)
+    error: int = _described("how many cannot be used as they are", ge=0)
     unchecked: int = _described("how many could not be checked; nothing is known about them", ge=0)
 
 
@@ -154,7 +158,7 @@ class CheckReport(_Part):
         """
         if any(file.our_fault for file in self.files):
             return 3
-        return 2 if self.summary.unchecked or self.lost_replays else int(self.summary.failure > 0)
+        return 2 if self.summary.unchecked or self.lost_replays else int(self.summary.error > 0)
 
 
 def check_report(
@@ -246,11 +250,12 @@ def match_report(match: Rehearsed, replay: str, no_replay: str, outputs: dict[st
 def schema_text() -> str:
     """Return the text of ``schemas/check.schema.json``; CI fails if the committed file differs from it."""
     schema = CheckReport.model_json_schema(mode="serialization")
+    del schema["$defs"]["Diagnostic"]["properties"]["level"]["default"]
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
-LEVEL_NAMES: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
+LEVEL_NAMES: dict[Level, str] = {"passed": "ok", "warning": "warning", "error": "error", "unchecked": "not checked"}
 """The levels as terminal and page show them."""
 
 
@@ -259,10 +264,11 @@ def is_single(report: CheckReport) -> bool:
     return len(report.files) == 1 and not report.interrupted
 
 
-def format_finding(finding: Finding) -> str:
+def format_finding(finding: Diagnostic) -> str:
     """Return a finding in one line: where, unless the message says so itself, and what."""
-    needless = not finding.where or finding.where in finding.message
-    return finding.message if needless else f"{finding.where}: {finding.message}"
+    where = str(finding.where)
+    needless = not where or where in finding.message
+    return finding.message if needless else f"{where}: {finding.message}"
 
 
 def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
@@ -272,17 +278,17 @@ def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
     return "; ".join(filter(None, (format_finding(first), first.help))) if first is not None else ""
 
 
-def _by_hand_first(found: Sequence[Finding]) -> Finding | None:
+def _by_hand_first(found: Sequence[Diagnostic]) -> Diagnostic | None:
     """Return the first finding that a repair does not put right, else the first."""
     return next((finding for finding in found if not finding.repair), found[0] if found else None)
 
 
 def verdict(file: FileReport) -> str:
     """Return the verdict in one or two sentences: what follows, what --fix repairs, and what to do first."""
-    failures, warnings = file.count("failure"), file.count("warning")
+    failures, warnings = file.count("error"), file.count("warning")
     if file.level == "unchecked":
         whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
-        known = f" What failed before ({counted(failures, 'failure')}) stands." if failures else ""
+        known = f" What failed before ({counted(failures, 'error')}) stands." if failures else ""
         return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
     warned = f", {counted(warnings, 'warning')}" if warnings else ""
     found = [one for stage in file.stages for one in stage.findings if one.level == file.level != "passed"]
@@ -292,7 +298,7 @@ def verdict(file: FileReport) -> str:
     if failures:
         cause = _by_hand_first(found) or found[0]
         first = f" First: {cause.help or cause.message}"
-        return f"It cannot play like this: {counted(failures, 'failure')}{warned}{fix}.{first}"
+        return f"It cannot play like this: {counted(failures, 'error')}{warned}{fix}.{first}"
     if any(stage.skipped for stage in file.stages):
         return f"In order as far as it was checked{warned}{fix}."
     return f"It will play{warned}{fix}."
@@ -306,7 +312,7 @@ def no_replay(match: MatchReport) -> str:
 def summary(report: CheckReport) -> str:
     """Return how many submissions passed, as a sentence."""
     counts = report.summary
-    parts = [f"{counts.passed} ok", counted(counts.warning, "warning"), counted(counts.failure, "failure")]
+    parts = [f"{counts.passed} ok", counted(counts.warning, "warning"), counted(counts.error, "error")]
     if counts.unchecked:
         parts.append(f"{counts.unchecked} not checked")
     if report.lost_replays:

@@ -6,7 +6,6 @@ from rich.console import Console, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from rcj_challenges.checker.findings import Level
 from rcj_challenges.checker.report import (
     LEVEL_NAMES,
     ROBOT_NUMBERS,
@@ -20,11 +19,12 @@ from rcj_challenges.checker.report import (
     summary,
     verdict,
 )
+from rcj_challenges.core.code import Level
 from rcj_challenges.core.sanitize import sanitize
 
-_STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
+_STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "error": "bold red", "unchecked": "bold"}
 _SKIPPED = "skipped"
-_WIDTH = max(map(len, ("warning", "failure", _SKIPPED)))  # the longest word is rare
+_WIDTH = max(map(len, ("warning", "error", _SKIPPED)))  # the longest word is rare
 _MAX_LEFT_OUT = 30
 _INDENT = _WIDTH + 2
 _LEAST_WIDTH = 30
@@ -134,7 +134,7 @@ def _print_robots(console: Console, match: MatchReport) -> None:
         numbers = ", ".join(f"{name} {number_of(robot)}" for name, number_of in ROBOT_NUMBERS.items())
         line = Text(f"{robot.robot}: {numbers}")
         if robot.fault:
-            line.append(f", {robot.fault}", style=_STYLES["failure"])
+            line.append(f", {robot.fault}", style=_STYLES["error"])
         _indented(console, line)
 
 

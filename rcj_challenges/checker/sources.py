@@ -9,8 +9,25 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from pathlib import PurePosixPath
 
+from rcj_challenges.checker.codes import (
+    SOURCES_ELSEWHERE,
+    SOURCES_EMPTY,
+    SOURCES_LARGE,
+    SOURCES_MISSING_MODULE,
+    SOURCES_MISSING_PART,
+    SOURCES_MORE,
+    SOURCES_NOT_ON_THIS_COMPUTER,
+    SOURCES_OK,
+    SOURCES_PASSED_OVER,
+    SOURCES_REFUSED_MODULE,
+    SOURCES_RELATIVE_IMPORT,
+    SOURCES_SHADOWS,
+    SOURCES_TOO_MANY_IMPORTS,
+    SOURCES_UNREAD,
+    SOURCES_WRONG_CASE,
+)
 from rcj_challenges.checker.file_beside import help_for_module_beside
-from rcj_challenges.checker.findings import Finding, Level, Stage
+from rcj_challenges.checker.findings import Stage
 from rcj_challenges.checker.modules import (
     INSTALLED,
     Library,
@@ -23,6 +40,8 @@ from rcj_challenges.checker.modules import (
 from rcj_challenges.checker.reading import Import, Risk, Source, read_sources
 from rcj_challenges.checker.unreadable import PYTHON, describe_error
 from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.code import Code, Level
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.submissions.team import Team
@@ -34,15 +53,13 @@ _MAX_FINDINGS = 40
 _MAX_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
 _RISKS: tuple[Risk, ...] = ("certain", "caught", "possible")
 """The most serious first: a file that is imported in several ways counts as it does in the most serious of them."""
-_OPTIONAL = "optional_"
-_CONDITIONAL = "conditional_"
 _ONLY_IF_REACHED = "; that ends the program only if it is reached"
 # Programs that write modules, or import them from ZIP files: whether an import finds one shows only when it runs.
 _MAKES_MODULES = re.compile(
     rb"""\bsys\.modules[ ]?\[[^\]\n]{1,80}\][ ]?=|\.zip["']|\bmeta_path\b|\.py["'],[ ]?(?:mode[ ]?=[ ]?)?["'][wx]"""
 )
 _RUNNING_SHOWS = "; only running the programs can show whether that ends one"
-_NOT_LOOKED_INTO = ("large", "too_many_imports", "unread")
+_NOT_LOOKED_INTO = (SOURCES_LARGE, SOURCES_TOO_MANY_IMPORTS, SOURCES_UNREAD)
 
 
 def check_sources(team: Team) -> Stage:
@@ -55,7 +72,7 @@ def check_sources(team: Team) -> Stage:
     entries = {PurePosixPath(entry) for entry in team.entries.values()}
     sources = read_sources(files, entries)
     used: dict[PurePosixPath, bool] = {}
-    found: dict[Finding, None] = {}
+    found: dict[Diagnostic, None] = {}
     for entry in sorted(entries):
         walk = _Walk(team, sources, entry)
         used |= {path: used.get(path, False) or risk == "certain" for path, risk in walk.used.items()}
@@ -64,9 +81,9 @@ def check_sources(team: Team) -> Stage:
     for entry in sorted(entries & sources.keys()):
         if sources[entry].empty:
             help_ = "put your program into this file"
-            found[Finding("sources.empty", "failure", "the program is empty", help_, sanitize(entry))] = None
+            found[Diagnostic(SOURCES_EMPTY, "the program is empty", help_, sanitize(entry))] = None
     found |= dict.fromkeys(_taken_names(files, entries))
-    ok = Finding("sources.ok", "passed", f"{counted(len(sources), 'Python file')} in order for {PYTHON}")
+    ok = Diagnostic(SOURCES_OK, f"{counted(len(sources), 'Python file')} in order for {PYTHON}")
     return Stage("sources", _in_order(found) or [ok])
 
 
@@ -92,7 +109,7 @@ class _Walk:
 
     def _follow(self, entry: PurePosixPath) -> None:
         self.used: dict[PurePosixPath, Risk] = {}
-        self.findings: list[Finding] = []
+        self.findings: list[Diagnostic] = []
         todo: dict[Risk, list[Unit]] = {risk: [] for risk in _RISKS}
         todo["certain"].append((entry, 0))
         seen: set[Unit] = set()
@@ -121,7 +138,7 @@ class _Walk:
         if wanted.level > depth:
             written = "." * wanted.level + sanitize(wanted.module)
             message = f'"from {written} import …" does not work here: this file is not inside a package'
-            self._report(file, wanted, "relative_import", message, "write it without the dots")
+            self._report(file, wanted, SOURCES_RELATIVE_IMPORT, message, "write it without the dots")
             return []
         if (file, wanted) not in followed:
             followed[file, wanted] = self._relative(file, wanted) if wanted.level else self._absolute(file, wanted)
@@ -179,32 +196,38 @@ class _Walk:
             message = (
                 f'imports "{sanitize(wanted.module)}", which is for {use}: a match refuses that as soon as it is used'
             )
-            self._add(file, wanted, "warning", "refused_module", message, "play without it; unused, it does no harm")
+            self._add(
+                file, wanted, "warning", SOURCES_REFUSED_MODULE, message, "play without it; unused, it does no harm"
+            )
         if is_pythons and not is_here(first):
             message = (
                 f'imports "{sanitize(first)}", which is part of Python on some computers, but not on this one '
                 f"({platform.system()})"
             )
             help_ = "do without it: matches are played on any system"
-            self._report(file, wanted, "not_on_this_computer", message, help_)
+            self._report(file, wanted, SOURCES_NOT_ON_THIS_COMPUTER, message, help_)
 
-    def _missing(self, name: str, parts: list[str]) -> tuple[str, str, str]:
+    def _missing(self, name: str, parts: list[str]) -> tuple[Code, str, str]:
         """Return code, message and help for a module that is nowhere."""
         quoted = sanitize(name)
         nowhere = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
         self._looked_for += 1
         if self._looked_for > _MAX_LOOKED_FOR:
-            return "missing_module", nowhere, f"put {quoted}.py beside the program, or do without it"
+            return SOURCES_MISSING_MODULE, nowhere, f"put {quoted}.py beside the program, or do without it"
         other_case = next((near for near in self._usual.names if near.casefold() == name.casefold()), None)
         if other_case is not None:
             called = sanitize(other_case)
             message = f'imports "{quoted}", but the module is called "{called}": upper and lower case matter'
-            return "wrong_case", message, f'write "{called}"; Windows and macOS hide this mistake'
+            return SOURCES_WRONG_CASE, message, f'write "{called}"; Windows and macOS hide this mistake'
         place = self._usual.lies_at(name)
         if place is not None:
             message = f'imports "{quoted}", but {sanitize(place)} is not where Python looks for it'
-            return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
-        return "missing_module", nowhere, self._help_for_missing(name, parts)
+            return (
+                SOURCES_ELSEWHERE,
+                message,
+                "move the file beside the program, or import it by the name of its folder",
+            )
+        return SOURCES_MISSING_MODULE, nowhere, self._help_for_missing(name, parts)
 
     def _help_for_missing(self, name: str, parts: list[str]) -> str:
         if beside := help_for_module_beside(self._team, name):
@@ -221,57 +244,57 @@ class _Walk:
         installed = "in a match there are only Python's own library, numpy and scipy"
         return f"put {sanitize(name)}.py beside the program, or do without it: {installed}"
 
-    def _report(self, file: PurePosixPath, wanted: Import, code: str, message: str, help_: str) -> None:
+    def _report(self, file: PurePosixPath, wanted: Import, code: Code, message: str, help_: str) -> None:
         """Report an import that fails: it ends the program, unless it is caught or never reached."""
         if wanted.risk == "caught":
             message += "; the program has a way out (try … except)"
-            self._add(file, wanted, "warning", f"{_OPTIONAL}{code}", message, "make sure that it plays well without")
+            self._add(file, wanted, "warning", code, message, "make sure that it plays well without")
         elif wanted.risk == "possible":
-            self._add(file, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, help_)
-        elif self._makes_modules and code == "missing_module":
-            self._add(file, wanted, "warning", f"{_CONDITIONAL}{code}", message + _RUNNING_SHOWS, help_)
+            self._add(file, wanted, "warning", code, message + _ONLY_IF_REACHED, help_)
+        elif self._makes_modules and code == SOURCES_MISSING_MODULE:
+            self._add(file, wanted, "warning", code, message + _RUNNING_SHOWS, help_)
         else:
-            self._add(file, wanted, "failure", code, message, help_)
+            self._add(file, wanted, "error", code, message, help_)
 
-    def _add(self, file: PurePosixPath, wanted: Import, level: Level, code: str, message: str, help_: str) -> None:
+    def _add(self, file: PurePosixPath, wanted: Import, level: Level, code: Code, message: str, help_: str) -> None:
         where = f"{sanitize(file)}:{wanted.line}:{wanted.column}"
-        self.findings.append(Finding(f"sources.{code}", level, message, help_, where))
+        self.findings.append(Diagnostic(code, message, help_, where, level=level))
 
 
 def _module_name(path: PurePosixPath) -> str:
     return path.parent.name if path.stem == "__init__" else path.stem
 
 
-def _missing_part(module: Module, name: str, part: str) -> tuple[str, str, str]:
+def _missing_part(module: Module, name: str, part: str) -> tuple[Code, str, str]:
     whole = sanitize(f"{name}.{part}")
     if module.folder is None:
         return (
-            "missing_part",
+            SOURCES_MISSING_PART,
             f'imports "{whole}", but "{sanitize(name)}" is a file, not a folder',
             f"correct the import: a file of the same folder is imported as {sanitize(part)}",
         )
     message = f'imports "{whole}", but there is no {sanitize(part)}.py in the folder {sanitize(module.folder)}'
-    return "missing_part", message, "add the file to the submission, or correct the import"
+    return SOURCES_MISSING_PART, message, "add the file to the submission, or correct the import"
 
 
 def _unreadable(
     files: Mapping[PurePosixPath, bytes], sources: Mapping[PurePosixPath, Source], used: Mapping[PurePosixPath, bool]
-) -> Iterable[Finding]:
+) -> Iterable[Diagnostic]:
     """Report files that are not valid Python; ``used`` are those that programs run, or certainly run."""
     for path, source in sources.items():
         if not source.wrong:
             continue
         code, message, help_ = describe_error(source, files[path])
         where = ":".join([sanitize(path), *(str(number) for number in (source.line, source.column) if number)])
-        level: Level = "failure" if used.get(path) and code not in _NOT_LOOKED_INTO else "warning"
+        level: Level = "error" if used.get(path) and code not in _NOT_LOOKED_INTO else "warning"
         if path not in used:
             message += "; no program seems to use this file"
         elif not used[path] and code not in _NOT_LOOKED_INTO:
             message += _RUNNING_SHOWS
-        yield Finding(f"sources.{code}", level, message, help_, where)
+        yield Diagnostic(code, message, help_, where, level=level)
 
 
-def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) -> Iterable[Finding]:
+def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) -> Iterable[Diagnostic]:
     """Report files that have the name of a module of Python, numpy, scipy or the match."""
     named_so = {path for entry in entries for path in Library(files, places_of(entry)).named_like_pythons()}
     for path in sorted(named_so - entries):
@@ -280,28 +303,23 @@ def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) 
         if is_always_pythons(name):
             message = f'"import {module}" never finds {file}: it always gives the module of Python or of the match'
             help_ = "give it another name if programs need what is in it; if it is only for your editor, all is well"
-            yield Finding("sources.passed_over", "warning", message, help_, file)
+            yield Diagnostic(SOURCES_PASSED_OVER, message, help_, file)
         else:
             message = f'this file hides "{module}", a module of Python or of numpy and scipy, or is hidden by it'
-            yield Finding("sources.shadows", "warning", message, "give it another name", file)
+            yield Diagnostic(SOURCES_SHADOWS, message, "give it another name", file)
 
 
-def _in_order(found: Iterable[Finding]) -> list[Finding]:
+def _in_order(found: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Return the most serious first, at most as many as are readable.
 
     Warnings are left out where there is a failure of the kind: one program certainly gets there, another may not.
     """
-    failures = [finding for finding in found if finding.level == "failure"]
+    failures = [finding for finding in found if finding.level == "error"]
     fatal = {(finding.where, finding.code) for finding in failures}
-    warnings = [
-        finding
-        for finding in found
-        if finding.level != "failure"
-        and (finding.where, finding.code.replace(_OPTIONAL, "").replace(_CONDITIONAL, "")) not in fatal
-    ]
+    warnings = [finding for finding in found if finding.level != "error" and (finding.where, finding.code) not in fatal]
     ordered = [*failures, *warnings]
     left_out = len(ordered) - _MAX_FINDINGS
     if left_out <= 0:
         return ordered
-    more = Finding("sources.more", "warning", f"{left_out} more of the kind", "start with those above")
+    more = Diagnostic(SOURCES_MORE, f"{left_out} more of the kind", "start with those above")
     return [*ordered[:_MAX_FINDINGS], more]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from rcj_challenges.checker.codes import START_OK, START_SLOW
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
-from rcj_challenges.checker.findings import Finding, Stage
+from rcj_challenges.checker.findings import Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.timing import TICK_S
 
 _TICKS = 4
@@ -34,21 +36,18 @@ def check_start(rehearsal: Rehearsal) -> tuple[Stage, Rehearsed, MissingDevices]
         longest_s = max((wait.started_s for wait in started.waits.values()), default=0.0)
         robots = ", ".join(started.robots)
         stage.findings.append(
-            Finding(
-                "start.ok", "passed", f"all robots start and answer, the slowest after {longest_s:.1f} s", "", robots
-            )
+            Diagnostic(START_OK, f"all robots start and answer, the slowest after {longest_s:.1f} s", where=robots)
         )
     return stage, started, missing
 
 
-def _slow(started: Rehearsed, limit_s: float) -> Finding | None:
+def _slow(started: Rehearsed, limit_s: float) -> Diagnostic | None:
     """Return a warning for programs that come near the limit; a slower computer would stop them."""
     slow = {robot: wait.started_s for robot, wait in started.waits.items() if wait.started_s > _SLOW_SHARE * limit_s}
     if not slow:
         return None
-    return Finding(
-        "start.slow",
-        "warning",
+    return Diagnostic(
+        START_SLOW,
         f"it takes {max(slow.values()):.0f} s until the first step; {limit_s:g} s are allowed",
         "prepare less before the first step: on a slower computer the program would be stopped",
         ", ".join(slow),

@@ -136,12 +136,13 @@ def _as_missing_package(error: BaseException) -> BaseException:
     package = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
     if package in ("", __name__.partition(".")[0], *sys.stdlib_module_names):
         return error
+    from rcj_challenges.cli.codes import MISSING_PACKAGE
     from rcj_challenges.core.errors import HostError
 
     return HostError(
         f"the package {package!r} is missing: this Python does not have all that rcj-challenge needs",
         "install it as the README says, or start the Python in which it is installed",
-        code="missing-package",
+        code=MISSING_PACKAGE,
     )
 
 
@@ -230,8 +231,10 @@ def _usage_error(error: BaseException) -> int | None:
         return WRONG_INPUT
     format_message = getattr(error, "format_message", None)
     if format_message is not None:
+        from rcj_challenges.cli.codes import BAD_ARGUMENTS
+
         command = getattr(context, "command_path", "rcj-challenge")
-        _print_error(str(Diagnostic("bad-arguments", format_message(), f"{command} --help")))
+        _print_error(str(Diagnostic(BAD_ARGUMENTS, format_message(), f"{command} --help")))
         return WRONG_INPUT
     if type(error).__name__ == "Abort":
         _print_error("interrupted")

@@ -13,6 +13,7 @@ from typer.core import TyperCommand, TyperGroup
 
 from rcj_challenges import __version__
 from rcj_challenges.cli import CommandInterruptedError
+from rcj_challenges.cli.codes import OPTION_GIVEN_TWICE
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 PLAY = "Play"
@@ -38,7 +39,7 @@ class Command(TyperCommand):
             takes_one = option.param_type_name == "option" and not (option.multiple or option.is_flag or option.count)
             if takes_one and given.count(option) > 1:
                 message = f"{option.opts[0]} is given more than once"
-                raise DiagnosticError(Diagnostic("option-given-twice", message, "give it once"))
+                raise DiagnosticError(Diagnostic(OPTION_GIVEN_TWICE, message, "give it once"))
         parsed: list[str] = super().parse_args(ctx, args)
         return parsed
 

@@ -13,6 +13,7 @@ import typer
 from rcj_challenges.cli.app import SUBMIT, app
 from rcj_challenges.cli.options import Json, Overrides, Sandbox, complete_scenarios
 from rcj_challenges.cli.stdio import print_json, print_lines, print_progress, require_layers
+from rcj_challenges.core.codes import BAD_OPTION, CANNOT_OPEN, CANNOT_WRITE
 from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.core.sanitize import sanitize
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 class CheckUsageError(RcjError):
     """Options that do not fit together, or a path that cannot be opened or written."""
 
-    CODE = "bad-option"
+    CODE = BAD_OPTION
 
 
 @app.register(SUBMIT, "rcj-challenge check my_team.zip", "rcj-challenge check my_team --fix my_team.zip")
@@ -139,7 +140,7 @@ def _submissions(given: list[Path]) -> Submissions:
                 path.open("rb").close()
             elif not path.is_dir():
                 message = f"{sanitize(path)}: cannot be opened: it is neither a file nor a folder"
-                raise CheckUsageError(message, code="cannot-open")
+                raise CheckUsageError(message, code=CANNOT_OPEN)
             else:
                 find_submissions([path])
     return find_submissions(given)
@@ -151,7 +152,7 @@ def _or_usage_error(path: Path, done: str) -> Iterator[None]:
     try:
         yield
     except (OSError, ValueError) as error:
-        code = "cannot-open" if done == "opened" else "cannot-write"
+        code = CANNOT_OPEN if done == "opened" else CANNOT_WRITE
         message = f"{sanitize(path)}: cannot be {done}: {format_error(error)}"
         raise CheckUsageError(message, room_help(error), code=code) from error
 

@@ -10,6 +10,7 @@ import traceback
 from pathlib import Path
 
 from rcj_challenges import __version__
+from rcj_challenges.cli.codes import INTERNAL_ERROR
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import RcjError
 
@@ -30,7 +31,7 @@ def write_crash_report(error: BaseException) -> int:
         where, report = "no report can be written in this folder, so it follows here", text
     what = str(error) if isinstance(error, RcjError) else f"{type(error).__name__}: {error}"
     message = f"this is our fault, not yours: {what}"
-    found = Diagnostic("internal-error", message, f"{where}; please send it to the project")
+    found = Diagnostic(INTERNAL_ERROR, message, f"{where}; please send it to the project")
     with contextlib.suppress(OSError):
         print(found if report is None else f"{found}\n{report}", file=sys.stderr)  # noqa: T201 - this is the terminal
     return 3

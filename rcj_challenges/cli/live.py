@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.app import Command
+from rcj_challenges.cli.codes import BAD_SPEED, OPTION_DOES_NOT_FIT
 from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.core.errors import RcjError
 
@@ -51,7 +52,7 @@ def live_speed(port: int | None, speed: str | None, for_s: float | None) -> floa
         for option, given in (("--speed", speed), ("--live-for", for_s)):
             if given is not None:
                 message = f"{option} is for a match that is shown while it is played"
-                raise LiveOptionError(message, "give --live too", code="option-does-not-fit")
+                raise LiveOptionError(message, "give --live too", code=OPTION_DOES_NOT_FIT)
         return 1.0
     from rcj_challenges.views.live.pace import FASTEST, MAX_SPEED, SLOWEST
 
@@ -63,7 +64,7 @@ def live_speed(port: int | None, speed: str | None, for_s: float | None) -> floa
         factor = 0.0
     if not SLOWEST <= factor <= FASTEST:
         allowed = f"give how many times real time, from {SLOWEST:g} to {FASTEST:g}, or max"
-        raise LiveOptionError(f"--speed {speed}: not a speed", allowed, code="bad-speed")
+        raise LiveOptionError(f"--speed {speed}: not a speed", allowed, code=BAD_SPEED)
     return factor
 
 

@@ -15,7 +15,9 @@ from typing import Annotated
 import typer
 
 from rcj_challenges.cli.app import WRITE, app
+from rcj_challenges.cli.codes import BAD_ARGUMENTS, BAD_NAME, OPTION_DOES_NOT_FIT, UNKNOWN_PRESET
 from rcj_challenges.cli.stdio import shell_quoted
+from rcj_challenges.core.codes import CANNOT_WRITE, FILE_EXISTS
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.core.files import is_device_of_windows
@@ -39,7 +41,7 @@ _TEAM_FILES = {
 class StarterError(RcjError):
     """A starter that cannot be written."""
 
-    CODE = "bad-name"
+    CODE = BAD_NAME
 
 
 @app.register(WRITE, "rcj-challenge new team my_team", "rcj-challenge new challenge relay_race")
@@ -63,9 +65,9 @@ def new(
     kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
     if kind not in ("team", "challenge") or len(words) > 2 or words in (["team"], ["challenge"]):
         asked = "rcj-challenge new team NAME, or rcj-challenge new challenge NAME"
-        raise DiagnosticError(Diagnostic("bad-arguments", "new takes one name, and before it what it is", asked))
+        raise DiagnosticError(Diagnostic(BAD_ARGUMENTS, "new takes one name, and before it what it is", asked))
     if kind == "team" and preset is not None:
-        raise DiagnosticError(Diagnostic("option-does-not-fit", "--from is for challenges", "leave it out"))
+        raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, "--from is for challenges", "leave it out"))
     if kind == "team":
         _write_team(name)
     else:
@@ -112,7 +114,7 @@ def _write_challenge(name: str, preset: str) -> None:
     """
     known = names_in(starters_folder())
     if preset not in known:
-        raise StarterError(f"unknown preset '{preset}'", choice_of(preset, known), code="unknown-preset")
+        raise StarterError(f"unknown preset '{preset}'", choice_of(preset, known), code=UNKNOWN_PRESET)
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     _refuse_name("" if file.name in (".yaml", ".yml") else file.name, name)
     short = _identifier(file.stem)
@@ -168,7 +170,7 @@ def _refuse_existing(*paths: Path) -> None:
     for path in paths:
         if os.path.exists(path):  # noqa: PTH110 - that of pathlib raises for names that are too long
             message = f"{path} exists already; nothing was written"
-            raise StarterError(message, "choose another name, or move it away", code="file-exists")
+            raise StarterError(message, "choose another name, or move it away", code=FILE_EXISTS)
 
 
 def _schema_seen_from(file: Path) -> str:
@@ -211,4 +213,4 @@ def write_new(path: Path, text: str) -> None:
             raise
     except OSError as error:
         message = f"{sanitize(path)}: cannot be written: {format_error(error)}"
-        raise StarterError(message, room_help(error), code="cannot-write") from error
+        raise StarterError(message, room_help(error), code=CANNOT_WRITE) from error

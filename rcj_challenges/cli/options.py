@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from rcj_challenges.cli.codes import BAD_DURATION
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 _DURATION = re.compile(r"(?:(?P<minutes>[0-9]+):(?=[0-5]?[0-9](?:\.|$)))?(?P<seconds>[0-9]+(?:\.[0-9]+)?|\.[0-9]+)s?")
@@ -111,5 +112,5 @@ def parse_duration(text: str) -> float:
     """
     found = _DURATION.fullmatch(text.strip())
     if found is None:
-        raise DiagnosticError(Diagnostic("bad-duration", f"--duration {text}: not a time", "write 90, 90s or 1:30"))
+        raise DiagnosticError(Diagnostic(BAD_DURATION, f"--duration {text}: not a time", "write 90, 90s or 1:30"))
     return int(found["minutes"] or 0) * 60 + float(found["seconds"])

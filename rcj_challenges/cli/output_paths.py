@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from rcj_challenges.cli.codes import BAD_OUT, DEVICE_NAME
+from rcj_challenges.core.codes import CANNOT_WRITE, FILE_EXISTS
 from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.core.files import is_device_of_windows
 
@@ -12,13 +14,13 @@ from rcj_challenges.core.files import is_device_of_windows
 class OutputError(RcjError):
     """A file that cannot be written."""
 
-    CODE = "cannot-write"
+    CODE = CANNOT_WRITE
 
 
 class OutputNameError(RcjError):
     """A name that a file or folder cannot have."""
 
-    CODE = "device-name"
+    CODE = DEVICE_NAME
 
 
 def refuse_devices(**outputs: Path | None) -> None:
@@ -46,7 +48,7 @@ def check_ending(out: Path | None, endings: tuple[str, ...], complaint: str) -> 
     refuse_devices(out=out)
     if out is not None and out.suffix.lower() not in endings:
         help_ = f"rename it: --out {out.with_suffix(endings[0])}" if out.stem else ""
-        raise OutputError(f"--out {out}: {complaint}", help_, code="bad-out")
+        raise OutputError(f"--out {out}: {complaint}", help_, code=BAD_OUT)
 
 
 def file_for_terminal(name: str) -> Path | None:
@@ -58,7 +60,7 @@ def file_for_terminal(name: str) -> Path | None:
     if not sys.stdout.isatty():
         return None
     if Path(name).exists():
-        raise OutputError(f"{name} exists already; nothing was written", f"--out {name}", code="file-exists")
+        raise OutputError(f"{name} exists already; nothing was written", f"--out {name}", code=FILE_EXISTS)
     return Path(name)
 
 

@@ -11,6 +11,7 @@ import typer
 
 from rcj_challenges.cli import INTERRUPTED, OK, options
 from rcj_challenges.cli.app import PLAY, app
+from rcj_challenges.cli.codes import BAD_TEAM_NAME, OPTION_GIVEN_TWICE, OPTIONS_CONTRADICT, UNKNOWN_ROBOT
 from rcj_challenges.cli.live import RunCommand, live_speed, serve_after_match, shown_live
 from rcj_challenges.cli.stdio import print_lines, require_layers, shown_path
 from rcj_challenges.cli.team_args import UsageError, assignments, open_teams, refuse_unknown
@@ -164,7 +165,7 @@ def _refuse_contradictions(debugged: Sequence[str], *, json_: bool, opens_no_pag
     Raises:
         UsageError: some do.
     """
-    one, code = "give one of them", "options-contradict"
+    one, code = "give one of them", OPTIONS_CONTRADICT
     if opens_no_page:
         raise UsageError("--open opens the page of the match, and --no-replay leaves it out", one, code=code)
     if debugged and json_:
@@ -172,13 +173,13 @@ def _refuse_contradictions(debugged: Sequence[str], *, json_: bool, opens_no_pag
         raise UsageError(message, f"{one}; result.json in the record has the same", code=code)
     if len(set(debugged)) > 1:
         robots = ", ".join(sorted(set(debugged)))
-        raise UsageError("--debug is given more than once", f"give it for one of {robots}", code="option-given-twice")
+        raise UsageError("--debug is given more than once", f"give it for one of {robots}", code=OPTION_GIVEN_TWICE)
 
 
 def _refuse_unknown_robots(loaded: Loaded, *given: str) -> None:
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in given:
-        refuse_unknown(robot, robots, "robot")
+        refuse_unknown(robot, robots, UNKNOWN_ROBOT)
 
 
 def _team_names(loaded: Loaded, given: list[str]) -> dict[str, str]:
@@ -193,7 +194,7 @@ def _team_names(loaded: Loaded, given: list[str]) -> dict[str, str]:
     names = {seat: safe_name(name) for seat, name in assigned.items()}
     for seat, name in names.items():
         if not name:
-            raise UsageError(f"--team-name {seat}=…: nothing of this name can be shown", code="bad-team-name")
+            raise UsageError(f"--team-name {seat}=…: nothing of this name can be shown", code=BAD_TEAM_NAME)
     return names
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT, options
 from rcj_challenges.cli.app import PLAY, app
+from rcj_challenges.cli.codes import BAD_SEEDS
 from rcj_challenges.cli.stdio import print_json, print_progress, require_layers
 from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.core.amounts import counted, number_words, times
@@ -36,7 +37,7 @@ _MAX_DIGITS = 100
 class SeedsError(RcjError):
     """Seeds that cannot be parsed."""
 
-    CODE = "bad-seeds"
+    CODE = BAD_SEEDS
 
 
 @app.register(PLAY, "rcj-challenge simulate match --seeds 1..20 --yellow my_team --blue ball_chaser")

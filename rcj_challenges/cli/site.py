@@ -10,8 +10,10 @@ from urllib.request import urlopen
 import typer
 
 from rcj_challenges.cli.app import ORGANIZE, Command, Group
+from rcj_challenges.core.codes import CANNOT_OPEN
 from rcj_challenges.core.errors import RcjError, format_error
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.web.codes import BAD_RESULTS, SITE_EXTRA
 
 if TYPE_CHECKING:
     from rcj_challenges.web.config import SiteConfig
@@ -44,7 +46,7 @@ def register(app: typer.Typer) -> None:
 def _ensure_extra() -> None:
     if find_spec("django") is None:
         help_ = 'pip install "rcj-challenges[web]"'
-        raise RcjError("a site needs the extra [web], which is not installed", help_, code="site-extra")
+        raise RcjError("a site needs the extra [web], which is not installed", help_, code=SITE_EXTRA)
 
 
 def opened(folder: Path, *, trust_all_teams: bool = False) -> SiteConfig:
@@ -163,7 +165,7 @@ def rate(
         table = table_of(published)
     except (ValidationError, ValueError) as error:
         message = f"{sanitize(results)}: these are no results of a season"
-        raise RcjError(message, "give the address that the page of the ladder links to", code="bad-results") from error
+        raise RcjError(message, "give the address that the page of the ladder links to", code=BAD_RESULTS) from error
     if not check:
         for row in table:
             place = "placing" if row.rank is None else f"{row.rank} ({row.low}-{row.high})"
@@ -181,4 +183,4 @@ def _read(results: str) -> bytes:
         return Path(results).read_bytes()
     except OSError as error:
         message = f"{sanitize(results)}: {format_error(error)}"
-        raise RcjError(message, "give a file or an address with http or https", code="cannot-open") from error
+        raise RcjError(message, "give a file or an address with http or https", code=CANNOT_OPEN) from error

@@ -14,6 +14,9 @@ import stat
 import sys
 from typing import TYPE_CHECKING, Any, TypeGuard
 
+from rcj_challenges.cli.codes import CANNOT_WRITE_OUTPUT
+from rcj_challenges.core.codes import DISK_FULL
+
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
     from rich.console import Console
@@ -96,7 +99,7 @@ def as_host_error(error: BaseException) -> HostError | None:
     file = f"{sanitize(error.filename)}: " if isinstance(error, OSError) and error.filename else ""
     held = isinstance(error, OSError) and is_held(error)
     help_ = "close the program that may have it open" if held else room_help(error)
-    return HostError(f"{file}{format_error(error)}", help_, code="disk-full" if is_no_room(error) else "")
+    return HostError(f"{file}{format_error(error)}", help_, code=DISK_FULL if is_no_room(error) else None)
 
 
 def output_error(error: OSError) -> HostError:
@@ -106,7 +109,7 @@ def output_error(error: OSError) -> HostError:
         if _is_file(sys.stdout):
             where = f" ({sanitize(os.readlink(f'/proc/self/fd/{sys.stdout.fileno()}'))})"  # noqa: PTH115 - no path of ours
     message = f"the output{where} cannot be written: {format_error(error)}"
-    return HostError(message, room_help(error), code="cannot-write-output")
+    return HostError(message, room_help(error), code=CANNOT_WRITE_OUTPUT)
 
 
 def is_output_error(error: BaseException) -> TypeGuard[OSError]:

@@ -15,8 +15,10 @@ from urllib.parse import urlsplit
 import typer
 
 from rcj_challenges.cli.app import SUBMIT, Command
+from rcj_challenges.cli.codes import NOT_TAKEN, SITE_UNREACHABLE, WRONG_CARD
 from rcj_challenges.cli.options import Json
 from rcj_challenges.cli.stdio import print_json
+from rcj_challenges.core.codes import BAD_OPTION, CANNOT_OPEN
 from rcj_challenges.core.errors import RcjError, format_error
 from rcj_challenges.core.sanitize import sanitize
 
@@ -73,10 +75,10 @@ def _submit(
 def _read(path: Path) -> bytes:
     try:
         if not path.is_file():
-            raise SubmitError(f"{sanitize(path)}: this is no file", "give a ZIP", code="cannot-open")
+            raise SubmitError(f"{sanitize(path)}: this is no file", "give a ZIP", code=CANNOT_OPEN)
         return path.read_bytes()
     except OSError as error:
-        raise SubmitError(f"{sanitize(path)}: {format_error(error)}", "give a ZIP", code="cannot-open") from error
+        raise SubmitError(f"{sanitize(path)}: {format_error(error)}", "give a ZIP", code=CANNOT_OPEN) from error
 
 
 def _print(state: dict[str, Any]) -> None:
@@ -107,10 +109,10 @@ class _Site:
             is_address = False
         if not is_address:
             raise SubmitError(
-                f"--site {sanitize(address)}: this is no address", "--site http://club.lan:8000", code="bad-option"
+                f"--site {sanitize(address)}: this is no address", "--site http://club.lan:8000", code=BAD_OPTION
             )
         if not (code.isascii() and code.isprintable()):
-            raise SubmitError("this is no code of a card", "compare it with the card", code="wrong-card")
+            raise SubmitError("this is no code of a card", "compare it with the card", code=WRONG_CARD)
         self._address = address
         self._parts = parts
         self._headers = {"Authorization": f"Bearer {code}"}
@@ -156,7 +158,7 @@ class _Site:
         except (OSError, http.client.HTTPException) as error:
             message = f"{sanitize(self._address)} cannot be reached: {format_error(error)}"
             raise SubmitError(
-                message, "check the address; nothing was handed in unless there was a receipt", code="site-unreachable"
+                message, "check the address; nothing was handed in unless there was a receipt", code=SITE_UNREACHABLE
             ) from error
         finally:
             connection.close()
@@ -167,8 +169,8 @@ class _Site:
         if not isinstance(data, dict):
             data = {}
         if answer.status == http.client.UNAUTHORIZED:
-            raise SubmitError("the site does not know this code", "compare it with the card", code="wrong-card")
+            raise SubmitError("the site does not know this code", "compare it with the card", code=WRONG_CARD)
         if answer.status >= http.client.BAD_REQUEST:
             why = sanitize(data.get("message", data.get("detail", "")), 300) or answer.reason
-            raise SubmitError(f"the site did not take it: {why}", "see the message; then try again", code="not-taken")
+            raise SubmitError(f"the site did not take it: {why}", "see the message; then try again", code=NOT_TAKEN)
         return data

@@ -7,11 +7,15 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rcj_challenges.cli.codes import NO_SAMPLE_TEAM, OPTION_GIVEN_TWICE, UNKNOWN_ENTRANT
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.codes import BAD_OPTION
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.scenario.resources import shipped_teams
+from rcj_challenges.tournament.codes import UNKNOWN_TEAM
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.load import Loaded
@@ -64,7 +68,7 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
         from rcj_challenges.submissions.problems import MAX_PATH_SHOWN, safe_text
 
         others = others_that_fit(opening.contents.files, scenario)
-        found = next(one for one in layout_findings(opening, seats, others) if one.level == "failure")
+        found = next(one for one in layout_findings(opening, seats, others) if one.level == "error")
         copy = "; rcj-challenge check … --fix NEW.zip makes such a copy" if found.repair else ""
         message = f"{safe_text(path, MAX_PATH_SHOWN)}: {found.message}"
         raise TeamError(message, f"{found.help}{copy}", code=found.code) from error
@@ -87,7 +91,7 @@ def _sample_team(loaded: Loaded, seat: str) -> Path:
     raise UsageError(
         f"who plays for {seat!r}? {_why_no_sample_team(scenario, seat, bases)}",
         f"give --team {seat}=PATH, a team with {_programs_of(scenario, seat)}",
-        code="no-sample-team",
+        code=NO_SAMPLE_TEAM,
     )
 
 
@@ -123,21 +127,21 @@ def assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict
         seat, equals, value = entry.partition("=")
         if not equals or not value:
             example = f"write ENTRANT=VALUE, such as {option} {next(iter(seats))}=…"
-            raise UsageError(f"{option} {entry}: no entrant or no value", example, code="bad-option")
-        refuse_unknown(seat, seats, "entrant")
+            raise UsageError(f"{option} {entry}: no entrant or no value", example, code=BAD_OPTION)
+        refuse_unknown(seat, seats, UNKNOWN_ENTRANT)
         if seat in found:
-            raise UsageError(f"{option}: {seat!r} is given twice", "leave one out", code="option-given-twice")
+            raise UsageError(f"{option}: {seat!r} is given twice", "leave one out", code=OPTION_GIVEN_TWICE)
         found[seat] = value
     return found
 
 
-def refuse_unknown(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> None:
+def refuse_unknown(name: str, names: Mapping[str, Any] | frozenset[str], code: Code) -> None:
     """Raise a `UsageError` with the names that there are, if this is none of them."""
     if name not in names:
         nearest = nearest_name(name, names)
         near = "" if nearest is None else f"did you mean {nearest!r}? "
         there = f"{near}this scenario has {', '.join(sorted(names))}"
-        raise UsageError(f"unknown {kind} {name!r}", there, code=f"unknown-{kind}")
+        raise UsageError(f"{code.replace('-', ' ')} {name!r}", there, code=code)
 
 
 def locate_team(given: str) -> Path:
@@ -153,7 +157,7 @@ def locate_team(given: str) -> Path:
     suggestion = f"did you mean {near}? " if near else ""
     raise DiagnosticError(
         Diagnostic(
-            "unknown-team",
+            UNKNOWN_TEAM,
             f"no file, folder or sample team '{sanitize(given)}'",
             f"{suggestion}'rcj-challenge teams' lists the sample teams",
         )

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from rcj_challenges.cli.app import WRITE, app
+from rcj_challenges.cli.codes import SET_ON_TOURNAMENT
 from rcj_challenges.cli.options import Json, Overrides, complete_scenarios
 from rcj_challenges.cli.stdio import print_json, print_safely, shown_path
 from rcj_challenges.core.amounts import counted
@@ -103,9 +104,7 @@ def _tournament(path: str, overrides: Sequence[str]) -> tuple[str, Sequence[Diag
 
     if overrides:
         message = "--set changes scenarios, and this is a tournament"
-        raise DiagnosticError(
-            Diagnostic("set-on-tournament", message, "write it under 'set' in the file", InFile(path))
-        )
+        raise DiagnosticError(Diagnostic(SET_ON_TOURNAMENT, message, "write it under 'set' in the file", InFile(path)))
     loaded = load_tournament(path)
     stages = Season(loaded).state({}).stages
     counts = (

@@ -15,6 +15,8 @@ from rcj_challenges.cli.app import ORGANIZE, app
 from rcj_challenges.cli.options import AtOnce, Json, Runs, RunsFolder, Sandbox
 from rcj_challenges.cli.stdio import print_json, print_progress, require_layers
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.scenario.codes import NO_SUCH_FILE
+from rcj_challenges.tournament.codes import NOT_VERIFIABLE, PROGRAMS_MISSING
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant
@@ -75,7 +77,7 @@ def _located(teams: Sequence[str]) -> list[Path]:
 
     paths = [locate_team(team) for team in teams]
     help_ = "give a submission, a folder of ZIPs, or the name of a sample team"
-    missing = [Diagnostic("no-such-file", f"no file or folder '{path}'", help_) for path in paths if not path.exists()]
+    missing = [Diagnostic(NO_SUCH_FILE, f"no file or folder '{path}'", help_) for path in paths if not path.exists()]
     if missing:
         raise DiagnosticError(*missing)
     return paths
@@ -97,7 +99,7 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
     result = read_result(folder)
     if not result.complete or "debug" in result.marks:
         why = "it was not played to its end" if not result.complete else "a program had the terminal (--debug)"
-        raise DiagnosticError(Diagnostic("not-verifiable", f"{folder.name}: {why}", "verify another record"))
+        raise DiagnosticError(Diagnostic(NOT_VERIFIABLE, f"{folder.name}: {why}", "verify another record"))
     loaded = load_resolved(parsed(read_file(folder / SCENARIO)))
     seats: dict[str, tuple[Program, ...]] = {}
     for seat, entrant in result.entrants.items():
@@ -106,7 +108,7 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
         for digest, name in members:
             if digest not in found:
                 message = f"{folder.name}: the programs of {seat} ({name}) are not here"
-                raise DiagnosticError(Diagnostic("programs-missing", message, "give their submission with --team PATH"))
+                raise DiagnosticError(Diagnostic(PROGRAMS_MISSING, message, "give their submission with --team PATH"))
         seats[seat] = tuple(found[digest] for digest, _ in members)
     job = MatchJob(
         scenario=place.keep_scenario(loaded),

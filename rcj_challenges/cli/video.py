@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli.app import WATCH, app
+from rcj_challenges.cli.codes import BAD_FPS, BAD_OUT, BAD_SPEED
 from rcj_challenges.cli.options import Quiet, Run
 from rcj_challenges.cli.stdio import print_lines
 
@@ -67,10 +68,10 @@ def video(
 
     size_px = make.parse_size(size, even=True)
     if not 1 <= fps <= MAX_FPS:
-        raise VideoError("bad-fps", f"--fps {fps:g}: a second of video has 1 to {MAX_FPS} pictures")
+        raise VideoError(BAD_FPS, f"--fps {fps:g}: a second of video has 1 to {MAX_FPS} pictures")
     rate = Fraction(str(fps)).limit_denominator(1001)
     if not MIN_SPEED <= speed <= MAX_SPEED:
-        raise VideoError("bad-speed", f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}")
+        raise VideoError(BAD_SPEED, f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}")
     start_s, stop_s = (None if text is None else clips.parse_seconds(text) for text in (from_, to))
     folder, footage = open_footage(run, runs)
     shown = clips.clips_between(footage, start_s, stop_s, half)
@@ -122,9 +123,9 @@ def output_file(wanted: Path | None, default: Path) -> Path:
 
     out = wanted or default
     if out.is_dir():
-        raise VideoError("bad-out", f"--out {out} is a folder", f"give a file, such as {out / default.name}")
+        raise VideoError(BAD_OUT, f"--out {out} is a folder", f"give a file, such as {out / default.name}")
     if out.suffix.lower() != default.suffix:
-        raise VideoError("bad-out", f"--out {out}: the name must end in {default.suffix}", f"--out {default.name}")
+        raise VideoError(BAD_OUT, f"--out {out}: the name must end in {default.suffix}", f"--out {default.name}")
     if not out.parent.is_dir():
-        raise VideoError("bad-out", f"--out {out}: there is no folder {out.parent}", "make it first, or leave it out")
+        raise VideoError(BAD_OUT, f"--out {out}: there is no folder {out.parent}", "make it first, or leave it out")
     return out

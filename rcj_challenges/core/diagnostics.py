@@ -9,14 +9,13 @@ All new errors have this form::
 
 from __future__ import annotations
 
-import re
 from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from typing import Any
 
+from rcj_challenges.core.code import Code, Level
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.sanitize import sanitize
 
-_CODE = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*|[a-z]+[.][a-z0-9_]+")
 _MAX_CHARACTERS = 1000
 _MAX_PRINTED = 100
 
@@ -40,6 +39,22 @@ class InFile:
     def __str__(self) -> str:
         numbers = [str(number) for number in (self.line, self.column) if number is not None]
         return "  ".join(part for part in (":".join([self.file, *numbers]), self.path) if part)
+
+
+@dataclass(frozen=True)
+class InTree(InFile):
+    """A place in a tree of values whose position in the file has not been looked up.
+
+    Attributes:
+        keys: keys and indices that lead there.
+        at_key: whether the key is meant, not its value.
+        other: another place that has part in it: reported there if only that one stands in the author's own file.
+    """
+
+    file: str = ""
+    keys: tuple[str | int, ...] = ()
+    at_key: bool = False
+    other: tuple[str | int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -67,39 +82,44 @@ class InMatch:
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """One thing that is wrong.
+    """One thing that is wrong, or worth mentioning.
 
     Attributes:
-        code: stable over versions, lower case with hyphens: ``unknown-zone``; findings of ``check`` have the form
-            ``stage.kind_of_it``.
+        code: what it is; its page is printed by ``explain``.
         message: what is wrong, in one line.
-        help: what to do about it, in one line; empty if there is nothing to say.
-        where: the place; None if there is none.
-        severity: whether it stops the command.
+        help: what to do about it, in one line; empty if there is nothing to do.
+        where: the place: in a file, in a match, or the file or the robots of a submission as text; empty if there is
+            none.
+        level: how serious it is; that of the code, unless it is given.
+        repair: whether ``check --fix`` repairs it.
+        details: more lines, such as a traceback; usually empty.
     """
 
-    code: str
+    code: Code
     message: str
     help: str = ""
-    where: InFile | InMatch | None = None
-    severity: Literal["error", "warning"] = "error"
+    where: InFile | InMatch | str = ""
+    level: Level = None  # type: ignore[assignment]  # until it is made
+    repair: bool = False
+    details: str = ""
 
     def __post_init__(self) -> None:
-        """Refuse a code of another form.
-
-        Raises:
-            ValueError: the code has another form.
-        """
-        if not _CODE.fullmatch(self.code):
-            raise ValueError(f"not a code: {self.code!r}")
+        """Take the level from the code."""
+        if self.level is None:
+            object.__setattr__(self, "level", self.code.level)
 
     def __str__(self) -> str:
-        lines = [f"{self.severity}[{self.code}]: {sanitize(self.message, _MAX_CHARACTERS)}"]
-        if self.where is not None:
+        lines = [f"{self.level}[{self.code}]: {sanitize(self.message, _MAX_CHARACTERS)}"]
+        if self.where:
             lines.append(f"  --> {sanitize(self.where, _MAX_CHARACTERS)}")
         if self.help:
             lines.append(f"help: {sanitize(self.help, _MAX_CHARACTERS)}")
         return "\n".join(lines)
+
+    @property
+    def sentence(self) -> str:
+        """Message and help in one line."""
+        return f"{self.message}{'' if self.message.endswith('?') else ':'} {self.help}" if self.help else self.message
 
     def to_json(self) -> dict[str, Any]:
         """Return the fields as JSON-able data."""
@@ -133,3 +153,16 @@ class DiagnosticError(RcjError):
         texts = [*map(str, diagnostics[:_MAX_PRINTED]), *([f"… and {more} more"] if more > 0 else [])]
         first = diagnostics[0]
         super().__init__("\n\n".join(texts), first.help, code=first.code)
+
+
+def issue(
+    code: Code,
+    keys: tuple[str | int, ...],
+    message: str,
+    help_: str = "",
+    at_key: bool = False,
+    other: tuple[str | int, ...] = (),
+    level: Level | None = None,
+) -> Diagnostic:
+    """Return what is wrong at a place of a tree; arguments as of `Diagnostic` and `InTree`."""
+    return Diagnostic(code, message, help_, InTree(keys=keys, at_key=at_key, other=other), level or code.level)

@@ -5,21 +5,24 @@ from __future__ import annotations
 import errno
 from typing import ClassVar
 
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.codes import HOST_ERROR
+
 
 class RcjError(Exception):
     """Wrong input; the message says what is wrong, where, and what would be right.
 
     Attributes:
         exit_code: what the command line exits with.
-        code: stable over versions, as of a `Diagnostic`; empty if the message is printed as it is.
+        code: as of a `Diagnostic`; None if the message is printed as it is.
         help: what to do about it, in one line; may be empty.
     """
 
     exit_code: ClassVar[int] = 2
-    CODE: ClassVar[str] = ""
+    CODE: ClassVar[Code | None] = None
     """Of errors that are raised without one."""
 
-    def __init__(self, message: object = "", help_: str = "", *, code: str = "") -> None:
+    def __init__(self, message: object = "", help_: str = "", *, code: Code | None = None) -> None:
         super().__init__(message)
         self.code = code or self.CODE
         self.help = help_
@@ -28,7 +31,7 @@ class RcjError(Exception):
 class HostError(RcjError):
     """A failure of this computer: no space, too many open files. Neither a program nor a team is to blame."""
 
-    CODE = "host-error"
+    CODE = HOST_ERROR
 
 
 _OF_THE_HOST = frozenset(

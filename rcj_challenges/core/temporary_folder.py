@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import tempfile
 
+from rcj_challenges.core.codes import DISK_FULL, TEMPORARY_FOLDER
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import HostError, format_error
 from rcj_challenges.core.sanitize import sanitize
@@ -16,7 +17,7 @@ def temporary_folder_error(error: BaseException, trouble: str = "cannot be used"
     """Return an error about the temporary folder that says where it is, and what helps."""
     place = _temporary_folder()
     message = f"the temporary folder{place} {trouble}: {format_error(error)}"
-    return HostError(message, f"make room there, or let {_VARIABLE} name another", code="temporary-folder")
+    return HostError(message, f"make room there, or let {_VARIABLE} name another", code=TEMPORARY_FOLDER)
 
 
 class DiskFullError(DiagnosticError, HostError):
@@ -25,7 +26,7 @@ class DiskFullError(DiagnosticError, HostError):
     def __init__(self) -> None:
         super().__init__(
             Diagnostic(
-                "disk-full",
+                DISK_FULL,
                 f"the disk of the temporary folder{_temporary_folder()} is full, although no program of the match has "
                 "written more than its share",
                 f"free some space there, or set {_VARIABLE} to a folder with more room, and run the command again",

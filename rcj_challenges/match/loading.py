@@ -7,6 +7,7 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from rcj_challenges.core.codes import NO_PHYSICS
 from rcj_challenges.core.errors import HostError, interruption_behind
 from rcj_challenges.windows_runtime import PACKAGE
 
@@ -26,7 +27,7 @@ def load_stage(load: Callable[[str], Any] = import_module, system: str = sys.pla
         ours = (getattr(error, "name", None) or "").startswith("rcj_challenges")
         if ours or interruption_behind(error) is not None:
             raise
-        raise HostError(f"the physics cannot be loaded: {error}", _help_for(system), code="no-physics") from error
+        raise HostError(f"the physics cannot be loaded: {error}", _help_for(system), code=NO_PHYSICS) from error
     return builder
 
 

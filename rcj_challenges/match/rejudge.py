@@ -11,6 +11,7 @@ from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.play import Event, HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.carry_over import CarryOver
+from rcj_challenges.match.codes import RECORD_DOES_NOT_FIT
 from rcj_challenges.match.loop import should_continue
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.referee_log import RefereeLog
@@ -32,7 +33,7 @@ class MisfitError(DiagnosticError):
         differ = lists if set(played) != set(wanted) else f"their order differs: {lists}"
         message = f"the scenario {scenario.id!r} cannot judge this match: {what} must be the same; {differ}"
         help_ = "judge it by the scenario that was played, or one like it"
-        super().__init__(Diagnostic("record-does-not-fit", message, help_))
+        super().__init__(Diagnostic(RECORD_DOES_NOT_FIT, message, help_))
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from typing import Any
 
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs import bubblewrap, process_stats, processes, visible_files
+from rcj_challenges.programs.codes import ISOLATION_MISSING, UNKNOWN_SANDBOX
 from rcj_challenges.programs.program_side.controller import _landlock, _seccomp
 from rcj_challenges.scenario.models.limits import Limits
 
@@ -52,7 +53,7 @@ _NOT_HERE = {
 class IsolationError(RcjError):
     """Strict isolation was requested but layers are missing."""
 
-    CODE = "isolation-missing"
+    CODE = ISOLATION_MISSING
 
 
 def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]:
@@ -64,7 +65,7 @@ def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]
         IsolationError: ``strict``, and layers are missing; or no such sandbox.
     """
     if sandbox not in SANDBOXES:
-        raise IsolationError(f"unknown sandbox {sandbox!r}", f"write {', '.join(SANDBOXES)}", code="unknown-sandbox")
+        raise IsolationError(f"unknown sandbox {sandbox!r}", f"write {', '.join(SANDBOXES)}", code=UNKNOWN_SANDBOX)
     if sandbox == "off":
         return _ALWAYS
     missing = missing_layers(platform)

@@ -21,6 +21,7 @@ from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.core.traffic import Note, Observation, Request
 from rcj_challenges.programs import debugging, isolation, processes, scratch
 from rcj_challenges.programs.assignment import Assignment
+from rcj_challenges.programs.codes import CANNOT_START_PROGRAM
 from rcj_challenges.programs.log import ProgramLog
 from rcj_challenges.programs.pipes import ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.programs.protocol import Codec, Ended, ProtocolError, hello_frame, max_frame_bytes, one_line
@@ -134,7 +135,7 @@ class Program:
                 raise
             if is_of_the_host(error):
                 message = f"the program of {self.name} cannot be started here: {format_error(error)}"
-                raise HostError(message, code="cannot-start-program") from error
+                raise HostError(message, code=CANNOT_START_PROGRAM) from error
             self._fail("start", f"the program could not be started: {one_line(format_error(error))}")
 
     def release(self, observation: Observation) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from rcj_challenges.core.errors import HostError
 from rcj_challenges.programs import pipes, process_stats
+from rcj_challenges.programs.codes import HOST_TOO_BUSY
 from rcj_challenges.programs.pipes import Channel, ChannelClosedError, FrameTooLongError
 from rcj_challenges.programs.time_budget import MEASURED_AFTER_S, TimeBudget
 
@@ -115,7 +116,7 @@ class WaitBudget:
         if self._left_s < 0:
             message = f"the match waited {self._limit_s:.0f} s for programs, but none reached a limit of its own"
             help_ = "this computer is too busy: run fewer programs beside the match, and play it again"
-            raise HostError(message, help_, code="host-too-busy")
+            raise HostError(message, help_, code=HOST_TOO_BUSY)
 
 
 def wait_together(channels: Sequence[TimedChannel], timeout_s: float, wait_budget: WaitBudget) -> None:

@@ -6,21 +6,23 @@ import errno
 from pathlib import Path
 from typing import Self
 
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import HostError, format_error, is_held
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.records.codes import CANNOT_WRITE_RECORD, RECORD_DAMAGED
 
 
 class RecordError(DiagnosticError):
     """A record that is missing, damaged, foreign, or of another version."""
 
-    def __init__(self, code: str, message: str, help_: str = "") -> None:
+    def __init__(self, code: Code, message: str, help_: str = "") -> None:
         super().__init__(Diagnostic(code, message, help_))
 
     @classmethod
     def damaged(cls, what: str) -> Self:
         """Return the error for a damaged file; ``what`` is the message, which begins with the record's folder."""
-        return cls("record-damaged", what, COPY_AGAIN)
+        return cls(RECORD_DAMAGED, what, COPY_AGAIN)
 
     @property
     def message(self) -> str:
@@ -38,7 +40,7 @@ class UnwritableError(RecordError, HostError):
             return None
         help_ = _HELD_HELP if is_held(error) else _HELP.get(error.errno or 0, "")
         message = f"the record cannot be written: {sanitize(error.filename)}: {format_error(error)}"
-        return cls("cannot-write-record", message, help_)
+        return cls(CANNOT_WRITE_RECORD, message, help_)
 
 
 COPY_AGAIN = "copy the whole record again"

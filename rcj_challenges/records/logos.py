@@ -11,6 +11,7 @@ import zlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 
+from rcj_challenges.core.codes import UNUSABLE_PICTURE
 from rcj_challenges.core.errors import RcjError
 
 MAX_LOGO_BYTES = 1_000_000
@@ -34,7 +35,7 @@ _OTHER_KINDS = ((b"\xff\xd8\xff", "a JPEG"), (b"GIF8", "a GIF"), (b"BM", "a BMP"
 class LogoError(RcjError):
     """A logo that cannot be shown; the message says why."""
 
-    CODE = "unusable-picture"
+    CODE = UNUSABLE_PICTURE
 
 
 def logo_of(files: Mapping[PurePosixPath, bytes]) -> bytes | None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.core.errors import format_error
+from rcj_challenges.records.codes import RECORD_INCOMPLETE, RECORD_UNREADABLE
 from rcj_challenges.records.errors import COPY_AGAIN, RecordError
 from rcj_challenges.records.folder import SCENARIO, UNRESOLVED, read_file
 from rcj_challenges.records.lines import parsed
@@ -27,10 +28,10 @@ def read_scenario(folder: Path) -> Scenario:
             raise TypeError("not an object")
         return load_resolved(data).scenario
     except FileNotFoundError:
-        raise RecordError("record-incomplete", f"{folder.name}: {SCENARIO} is missing", COPY_AGAIN) from None
+        raise RecordError(RECORD_INCOMPLETE, f"{folder.name}: {SCENARIO} is missing", COPY_AGAIN) from None
     except OSError as error:
         message = f"{folder.name}: {SCENARIO} cannot be read: {format_error(error)}"
-        raise RecordError("record-unreadable", message) from error
+        raise RecordError(RECORD_UNREADABLE, message) from error
     except ScenarioError as error:
         first = error.diagnostics[0]
         what = f"{place_of(first).path}: {first.message}" if place_of(first).path else first.message

@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.errors import format_error
+from rcj_challenges.records.codes import RECORD_INCOMPLETE, RECORD_UNREADABLE
 from rcj_challenges.records.errors import COPY_AGAIN, RecordError
 from rcj_challenges.records.folder import RESULT, check_version, read_file
 from rcj_challenges.records.lines import parsed
@@ -201,10 +202,10 @@ def read_result(folder: Path) -> RunResult:
         data = parsed(read_file(folder / RESULT))
     except FileNotFoundError:
         message = f"{folder.name}: no record of a run ({RESULT} is missing)"
-        raise RecordError("record-incomplete", message, "give the folder of a record") from None
+        raise RecordError(RECORD_INCOMPLETE, message, "give the folder of a record") from None
     except (OSError, ValueError) as error:
         message = f"{folder.name}: {RESULT} cannot be read: {format_error(error)}"
-        raise RecordError("record-unreadable", message, COPY_AGAIN) from error
+        raise RecordError(RECORD_UNREADABLE, message, COPY_AGAIN) from error
     record = data.get("record") if isinstance(data, dict) else None
     if type(record) is int:
         check_version(record, folder.name)

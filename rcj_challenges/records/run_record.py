@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rcj_challenges.core.timing import s_from_ticks
+from rcj_challenges.records.codes import RECORD_EMPTY
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY
 from rcj_challenges.records.recorded_scenario import read_scenario
@@ -57,7 +58,7 @@ def read_run(folder: Path) -> RunRecord:
         if trajectory.damage:
             raise RecordError.damaged(f"{folder.name}: {trajectory.damage}")
         how = "match was over" if result.complete else "run was stopped"
-        raise RecordError("record-empty", f"{folder.name}: the {how} before its first tick: there is nothing to show")
+        raise RecordError(RECORD_EMPTY, f"{folder.name}: the {how} before its first tick: there is nothing to show")
     problems = []
     if not result.complete:
         stopped = "it was interrupted" if result.stopped == KeyboardInterrupt.__name__ else result.stopped

@@ -24,6 +24,7 @@ from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.play import Fault, HalfInfo, Placement, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
+from rcj_challenges.records.codes import RECORD_DAMAGED, RECORD_INCOMPLETE, RECORD_UNREADABLE
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY
 from rcj_challenges.records.result import read_result
@@ -244,7 +245,7 @@ class Trajectory:
         """
         track = next((track for track in self.halves if track.info.half == half), None)
         if track is None:
-            raise RecordError("record-incomplete", f"the record has no half {half}")
+            raise RecordError(RECORD_INCOMPLETE, f"the record has no half {half}")
         return track.snapshots()
 
     @classmethod
@@ -270,17 +271,17 @@ class Trajectory:
         try:
             found = read_chunks(folder / TRAJECTORY)
         except FileNotFoundError:
-            raise RecordError("record-incomplete", f"{folder.name}: {TRAJECTORY} is missing") from None
+            raise RecordError(RECORD_INCOMPLETE, f"{folder.name}: {TRAJECTORY} is missing") from None
         except OSError as error:
             message = f"{folder.name}: {TRAJECTORY} cannot be read: {format_error(error)}"
-            raise RecordError("record-unreadable", message) from error
+            raise RecordError(RECORD_UNREADABLE, message) from error
         try:
             header = found.header
             entities = tuple(map(str, header["entities"]))
             robots, balls = int(header["robots"]), int(header["balls"])
             things = tuple(map(str, header["things"]))
         except _DAMAGE as error:
-            raise RecordError("record-damaged", f"{folder.name}: the header of {TRAJECTORY} is damaged") from error
+            raise RecordError(RECORD_DAMAGED, f"{folder.name}: the header of {TRAJECTORY} is damaged") from error
         halves, read = _halves(found.chunks, len(entities), len(things))
         finished = read == len(found.chunks) > 0 and "end" in found.chunks[-1][0]
         damage = ""

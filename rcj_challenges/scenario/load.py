@@ -16,6 +16,7 @@ from pydantic import ValidationError
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.run import check
+from rcj_challenges.scenario.codes import WRONG_OVERRIDE, WRONG_VALUE
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.kit_devices import fill_in_devices
@@ -139,7 +140,7 @@ def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
     help_ = "set the value where it is used, or name the scenario's file"
     message = "the values of params are filled in already where they are used"
     params = (override for override in overrides if _param_of(tree, override) is not None)
-    problems = [Mark(f"--set {override}").error("wrong-override", message, help_) for override in params]
+    problems = [Mark(f"--set {override}").error(WRONG_OVERRIDE, message, help_) for override in params]
     if problems:
         raise ScenarioError(problems)
 
@@ -209,7 +210,7 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
 
         problems += explain(error, tree, Scenario)
         # Errors that only repeat another one are left out, but never all of them.
-        problems = problems or [tree.mark.error("wrong-value", f"not valid: {error.errors()[0]['msg']}")]
+        problems = problems or [tree.mark.error(WRONG_VALUE, f"not valid: {error.errors()[0]['msg']}")]
     seen = {(place.file, place.line, place.column) for place in map(place_of, problems)}
     later = [(place_of(one), one) for one in check(scenario, tree, merger.removed)]
     problems += [one for at, one in later if at.line is None or (at.file, at.line, at.column) not in seen]

@@ -10,7 +10,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, InFile
+from rcj_challenges.scenario.codes import SCENARIO_TOO_LARGE
 from rcj_challenges.scenario.errors import ScenarioError, cut
 
 RESOLVED = "resolved scenario"
@@ -29,9 +31,13 @@ class Mark:
     line: int = 0
     column: int = 0
 
-    def error(self, code: str, message: str, help_: str = "", path: str = "") -> Diagnostic:
+    def error(self, code: Code, message: str, help_: str = "", path: str = "") -> Diagnostic:
         """Return a mistake at this place; arguments as of `Diagnostic` and `InFile`."""
-        return Diagnostic(code, message, help_, InFile(self.file, self.line or None, self.column or None, path))
+        return Diagnostic(code, message, help_, self.place(path))
+
+    def place(self, path: str = "") -> InFile:
+        """Return it as the place of a diagnostic."""
+        return InFile(self.file, self.line or None, self.column or None, path)
 
 
 @dataclass(slots=True)
@@ -121,7 +127,7 @@ def check_size(root: Node) -> None:
 def too_large(mark: Mark, what: str) -> ScenarioError:
     """Return the error about a file, list or mapping that is too large."""
     help_ = "leave out what the challenge does not need; repeat_for and groups say the same of several things at once"
-    return ScenarioError([mark.error("scenario-too-large", what, help_)])
+    return ScenarioError([mark.error(SCENARIO_TOO_LARGE, what, help_)])
 
 
 def nodes_in(node: Node) -> Iterator[Node]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import Annotated, Any, Literal, NamedTuple, TypeVar, get_args, get_origin
+from typing import Annotated, Any, Literal, TypeVar, get_args, get_origin
 
 from rcj_challenges.rules.effects import Effect
 from rcj_challenges.rules.fields import Strict
@@ -12,21 +12,6 @@ from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.tree import Path
 
 _E = TypeVar("_E", bound=Effect)
-
-
-class Issue(NamedTuple):
-    """Something wrong in a scenario, before its position in the file is looked up.
-
-    Attributes:
-        other: another place that has part in it: reported there if only that one stands in the author's own file.
-    """
-
-    code: str
-    path: Path
-    message: str
-    help: str = ""
-    at_key: bool = False
-    other: Path = ()
 
 
 def walk(value: Any, path: Path = ()) -> Iterator[tuple[Strict, Path]]:

@@ -7,8 +7,19 @@ import unicodedata
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import PurePosixPath
 
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.files import is_device_of_windows
-from rcj_challenges.submissions.problems import Problem, safe_text
+from rcj_challenges.submissions.codes import (
+    ARCHIVE_NAME_CONTROL,
+    ARCHIVE_NAME_ENCODING,
+    ARCHIVE_NAME_ENDING,
+    ARCHIVE_NAME_FORBIDDEN,
+    ARCHIVE_NAME_LONG,
+    ARCHIVE_NAME_RESERVED,
+    ARCHIVE_OUTSIDE,
+)
+from rcj_challenges.submissions.problems import safe_text
 
 MAX_PATH_LETTERS = 160
 """Windows takes 260 letters for a whole path; the private folder of a program needs up to 100 of them."""
@@ -90,14 +101,13 @@ def folded(path: PurePosixPath) -> str:
     return unicodedata.normalize("NFC", unicodedata.normalize("NFD", str(path)).casefold())
 
 
-def name_problems(name: str) -> Iterator[Problem]:
+def name_problems(name: str) -> Iterator[Diagnostic]:
     """Return what is wrong with a name, as an archive has it."""
     shown = safe_text(name)
     path = path_of(name)
     if path.is_absolute() or ".." in path.parts or not path.parts or _DRIVE.match(name):
-        yield Problem(
-            "archive.outside",
-            "failure",
+        yield Diagnostic(
+            ARCHIVE_OUTSIDE,
             f"'{shown}' leads out of the archive",
             "pack the folder itself, without .. and without the way to it",
             shown,
@@ -106,32 +116,32 @@ def name_problems(name: str) -> Iterator[Problem]:
         name = _without_drive(name)
     mendable = path.suffix.casefold() != ".py"  # programs import each other by name
     for code, message in _letter_problems(path_of(name), shown):
-        yield Problem(code, "failure", message, _RENAME, shown, repair=mendable)
+        yield Diagnostic(code, message, _RENAME, shown, repair=mendable)
     if len(str(path)) > MAX_PATH_LETTERS or any(len(_encoded(part)) > MAX_PART_BYTES for part in path.parts):
         message = f"'{shown}' has too long a name: at most {MAX_PATH_LETTERS} letters with its folders"
-        yield Problem("archive.name_long", "failure", message, "give files and folders shorter names", shown, mendable)
+        yield Diagnostic(ARCHIVE_NAME_LONG, message, "give files and folders shorter names", shown, repair=mendable)
 
 
 def _without_drive(name: str) -> str:
     return name[2:] if _DRIVE.match(name) else name
 
 
-def _letter_problems(path: PurePosixPath, shown: str) -> Iterator[tuple[str, str]]:
+def _letter_problems(path: PurePosixPath, shown: str) -> Iterator[tuple[Code, str]]:
     letters = frozenset(str(path))
     if any(unicodedata.category(letter) in ("Cc", "Cf", "Zl", "Zp") for letter in letters):
-        yield "archive.name_control", f"'{shown}' has control characters in its name"
+        yield ARCHIVE_NAME_CONTROL, f"'{shown}' has control characters in its name"
     if any("\ud800" <= letter <= "\udfff" for letter in letters):
-        yield "archive.name_encoding", f"'{shown}' is not a name in UTF-8"
+        yield ARCHIVE_NAME_ENCODING, f"'{shown}' is not a name in UTF-8"
     if not letters.isdisjoint(_FORBIDDEN):
         found = " ".join(sorted(letters & _FORBIDDEN))
-        yield "archive.name_forbidden", f"'{shown}' has letters that Windows does not allow in a name ({found})"
+        yield ARCHIVE_NAME_FORBIDDEN, f"'{shown}' has letters that Windows does not allow in a name ({found})"
     for part in path.parts:
         if part == "..":
             continue
         if is_device_of_windows(part):
-            yield "archive.name_reserved", f"'{shown}' is the name of a device on Windows"
+            yield ARCHIVE_NAME_RESERVED, f"'{shown}' is the name of a device on Windows"
         if part != part.rstrip(". "):
-            yield "archive.name_ending", f"'{shown}' ends in a dot or a space, which Windows removes"
+            yield ARCHIVE_NAME_ENDING, f"'{shown}' ends in a dot or a space, which Windows removes"
 
 
 def clean(name: str) -> PurePosixPath | None:

@@ -10,11 +10,13 @@ from pathlib import Path, PurePath, PurePosixPath
 from types import MappingProxyType
 from typing import Self
 
+from rcj_challenges.core.codes import CANNOT_WRITE
 from rcj_challenges.core.errors import format_error, is_of_the_host
 from rcj_challenges.core.similarity import MAX_COMPARED, nearest_name
 from rcj_challenges.core.temporary_folder import temporary_folder_error
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 from rcj_challenges.submissions.archive import Contents, Files, TeamError, read_contents, refusal
+from rcj_challenges.submissions.codes import LAYOUT_MISSING
 from rcj_challenges.submissions.problems import MAX_PATH_SHOWN, safe_text
 from rcj_challenges.submissions.team_name import (
     MAX_NAME_LETTERS,
@@ -32,7 +34,7 @@ __all__ = [
 
 LOGO_FILE = "logo.png"
 
-_MISSING = "layout.missing"
+_MISSING = LAYOUT_MISSING
 """The code of a team that lacks a program, as of the finding of ``check``."""
 
 _LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
@@ -120,7 +122,7 @@ class Team:
             if is_of_the_host(error):
                 raise temporary_folder_error(error, "cannot take the team's files") from error
             message = f"{self.source}: {name} cannot be written on this computer: {format_error(error)}"
-            raise TeamError(message, code="cannot-write") from error
+            raise TeamError(message, code=CANNOT_WRITE) from error
 
     def ignores_neighbour(self, name: str) -> bool:
         """Return whether a file or folder of this name lies, unread, beside a program that was given alone."""
@@ -281,7 +283,7 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
         name = find_team_name(files, fallback)
         team = None
         if not contents.refused:
-            team = Team(path, files, name.text, tuple(map(str, name.warnings)), single, layout)
+            team = Team(path, files, name.text, tuple(one.sentence for one in name.warnings), single, layout)
             team._find_entries(seats)  # noqa: SLF001 - the module's own class
         return Opening(contents, files, team, name, layout.top, layout.within)
     whole = without_top_folders(contents.files)

@@ -7,9 +7,26 @@ import unicodedata
 from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.similarity import similarity
 from rcj_challenges.submissions.archive import Files
-from rcj_challenges.submissions.problems import Problem, safe_text
+from rcj_challenges.submissions.codes import (
+    IDENTITY_NAME_BOM,
+    IDENTITY_NAME_DOCUMENT,
+    IDENTITY_NAME_EMPTY,
+    IDENTITY_NAME_ENCODING,
+    IDENTITY_NAME_FILE,
+    IDENTITY_NAME_LINE_ENDS,
+    IDENTITY_NAME_LINES,
+    IDENTITY_NAME_LONG,
+    IDENTITY_NAME_MISSING,
+    IDENTITY_NAME_QUOTES,
+    IDENTITY_NAME_SIGNS,
+    IDENTITY_NAME_UNSAFE,
+    IDENTITY_NAME_UTF16,
+)
+from rcj_challenges.submissions.problems import safe_text
 
 MAX_NAME_LETTERS = 32
 """A team's name has at most 32 characters (reference, section 7)."""
@@ -40,10 +57,10 @@ class TeamName:
     text: str
     path: PurePosixPath | None
     given: bool
-    troubles: tuple[Problem, ...]
+    troubles: tuple[Diagnostic, ...]
 
     @property
-    def warnings(self) -> list[Problem]:
+    def warnings(self) -> list[Diagnostic]:
         """The troubles that change what is shown, or that should be put right."""
         return [trouble for trouble in self.troubles if trouble.level != "passed"]
 
@@ -59,7 +76,7 @@ def find_team_name(files: Files, fallback: str) -> TeamName:
     name = safe_name(lines[0]) if lines else ""
     if not name:
         message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
-        more = (*more, _warning("name_empty", message, "write the team's name into it", repair=False))
+        more = (*more, _warning(IDENTITY_NAME_EMPTY, message, "write the team's name into it", repair=False))
         return TeamName(instead, path, given=False, troubles=(*troubles, *more))
     about = _line_problems(lines, name)
     if any(trouble.code == "identity.name_encoding" for trouble in more):
@@ -80,15 +97,15 @@ def safe_name(text: str) -> str:
     return name if any(letter != _JOINER and unicodedata.category(letter)[0] != "M" for letter in name) else ""
 
 
-def _warning(code: str, message: str, help_: str, *, repair: bool = True) -> Problem:
-    return Problem(f"identity.{code}", "warning", message, help_, NAME_FILE, repair)
+def _warning(code: Code, message: str, help_: str, *, repair: bool = True) -> Diagnostic:
+    return Diagnostic(code, message, help_, NAME_FILE, repair=repair)
 
 
-def _note(code: str, message: str, *, repair: bool = False) -> Problem:
-    return Problem(f"identity.{code}", "passed", message, "", NAME_FILE, repair)
+def _note(code: Code, message: str, *, repair: bool = False) -> Diagnostic:
+    return Diagnostic(code, message, where=NAME_FILE, repair=repair)
 
 
-def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]:
+def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Diagnostic, ...]]:
     """Find the file with the name, or one that was probably intended for it."""
     exact = [path for path in files if path.name.casefold() == NAME_FILE]
     near = [path for path in files if len(path.parts) == 1 and may_be_name_file(path)]
@@ -100,13 +117,15 @@ def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]
             message, help_ = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
         else:
             message, help_ = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
-        return path, (Problem("identity.name_file", "warning", message, help_, shown, repair=True),)
+        return path, (Diagnostic(IDENTITY_NAME_FILE, message, help_, shown, repair=True),)
     document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
     if document is not None:
         message = f"{safe_text(document)} is not plain text: the name is taken from the file's"
-        return None, (_warning("name_document", message, f"save the name as plain text in {NAME_FILE}", repair=False),)
+        return None, (
+            _warning(IDENTITY_NAME_DOCUMENT, message, f"save the name as plain text in {NAME_FILE}", repair=False),
+        )
     message = f"there is no {NAME_FILE}: the name is taken from the file's"
-    return None, (_warning("name_missing", message, "add it, with the team's name in one line", repair=False),)
+    return None, (_warning(IDENTITY_NAME_MISSING, message, "add it, with the team's name in one line", repair=False),)
 
 
 def may_be_name_file(path: PurePosixPath) -> bool:
@@ -119,7 +138,7 @@ def _near_stem(path: PurePosixPath) -> bool:
     return stem in _NEAR_STEMS or similarity(stem, "teamname") >= _LEAST_LIKENESS
 
 
-def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
+def _decoded(content: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
     """Return the text of the file, and what is odd about how it is written.
 
     UTF-8, with or without a mark, and UTF-16 with one are recognized. Any other encoding is guessed.
@@ -133,40 +152,42 @@ def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
     troubles = []
     if marked:
         message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
-        troubles.append(_note("name_utf16", message, repair=True))
+        troubles.append(_note(IDENTITY_NAME_UTF16, message, repair=True))
     elif "\ufffd" in text and "\ufffd".encode() not in content:
         # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
         if any(letter > "\x7f" for letter in text.replace("\ufffd", "")):
             message = f"{NAME_FILE} is not in UTF-8: letters that cannot be read are shown as \ufffd"
-            troubles.append(_warning("name_encoding", message, "save it in UTF-8", repair=False))
+            troubles.append(_warning(IDENTITY_NAME_ENCODING, message, "save it in UTF-8", repair=False))
         else:
             text = content.decode("cp1252", "replace")
             message = f"{NAME_FILE} is not in UTF-8: it was read as Windows-1252, the letters of Western Europe"
             help_ = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
-            troubles.append(_warning("name_encoding", f"{message}, which may be wrong", help_, repair=False))
+            troubles.append(_warning(IDENTITY_NAME_ENCODING, f"{message}, which may be wrong", help_, repair=False))
     elif content.startswith(codecs.BOM_UTF8):
         message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
-        troubles.append(_note("name_bom", message, repair=True))
+        troubles.append(_note(IDENTITY_NAME_BOM, message, repair=True))
     if "\r" in text:
         message = f"{NAME_FILE} has the line ends of Windows, which are not part of the name"
-        troubles.append(_note("name_line_ends", message, repair=True))
+        troubles.append(_note(IDENTITY_NAME_LINE_ENDS, message, repair=True))
     return text, tuple(troubles)
 
 
-def _line_problems(lines: list[str], name: str) -> list[Problem]:
+def _line_problems(lines: list[str], name: str) -> list[Diagnostic]:
     line = " ".join(lines[0].split())
     found = []
     if len(lines) > 1:
         message = f"{NAME_FILE} has several lines: the first is the name ({name})"
-        found.append(_warning("name_lines", message, "leave one line"))
+        found.append(_warning(IDENTITY_NAME_LINES, message, "leave one line"))
     if len(line) > MAX_NAME_LETTERS:
         message = f"the name is longer than {MAX_NAME_LETTERS} letters and is shown as '{name}'"
-        found.append(_warning("name_long", message, "choose a shorter one"))
+        found.append(_warning(IDENTITY_NAME_LONG, message, "choose a shorter one"))
     if safe_name(line[:MAX_NAME_LETTERS]) != line[:MAX_NAME_LETTERS].rstrip():
         message = f"the name in {NAME_FILE} has letters that cannot be seen; it is shown as '{name}'"
-        found.append(_warning("name_unsafe", message, f"write it with at most {MAX_NAME_LETTERS} printable letters"))
+        found.append(
+            _warning(IDENTITY_NAME_UNSAFE, message, f"write it with at most {MAX_NAME_LETTERS} printable letters")
+        )
     if name[0] in _QUOTES or name[-1] in _QUOTES:
-        found.append(_note("name_quotes", f"the quotation marks are part of the name: {name}"))
+        found.append(_note(IDENTITY_NAME_QUOTES, f"the quotation marks are part of the name: {name}"))
     elif any(letter in "./\\<>&!;:|" for letter in name):
-        found.append(_note("name_signs", f"the name is shown as it is, and no file is named after it: {name}"))
+        found.append(_note(IDENTITY_NAME_SIGNS, f"the name is shown as it is, and no file is named after it: {name}"))
     return found

@@ -13,7 +13,22 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rcj_challenges.core.amounts import counted
-from rcj_challenges.submissions.problems import Problem, Problems, safe_text
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.submissions.codes import (
+    ARCHIVE_DAMAGED,
+    ARCHIVE_DECEPTIVE,
+    ARCHIVE_HEADERS,
+    ARCHIVE_NOT_ZIP,
+    ARCHIVE_OVERLAP,
+    ARCHIVE_PREPENDED,
+    ARCHIVE_SPLIT,
+    ARCHIVE_TOO_MANY,
+    ARCHIVE_TRAILING,
+    ARCHIVE_TRUNCATED,
+    ARCHIVE_TWO,
+)
+from rcj_challenges.submissions.problems import Problems, safe_text
 
 MAX_ENTRIES = 10_000
 """How many entries of an archive are read; no team needs tens of thousands of files."""
@@ -89,9 +104,9 @@ class Entry:
 class UnreadableError(Exception):
     """An archive, or one entry of it, cannot be read."""
 
-    def __init__(self, code: str, message: str, help_: str = _PACK_AGAIN, where: str = "") -> None:
+    def __init__(self, code: Code, message: str, help_: str = _PACK_AGAIN, where: str = "") -> None:
         super().__init__(message)
-        self.trouble = Problem(code, "failure", message, help_, where)
+        self.trouble = Diagnostic(code, message, help_, where)
 
 
 class TooMuchError(Exception):
@@ -118,7 +133,7 @@ def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
     entries = list(_entries(data, bounds))
     if len(entries) != bounds.count:
         message = f"the archive says it has {counted(bounds.count, 'entry', 'entries')}, and has {len(entries)}"
-        troubles.add(Problem("archive.headers", "warning", message, _PACK_AGAIN, repair=True))
+        troubles.add(Diagnostic(ARCHIVE_HEADERS, message, _PACK_AGAIN, repair=True))
     _check_overlap(entries, bounds)
     return entries
 
@@ -155,7 +170,7 @@ def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
 
 def _damaged(entry: Entry, message: str) -> UnreadableError:
     shown = safe_text(entry.name)
-    return UnreadableError("archive.damaged", f"'{shown}' is damaged: it {message}", where=shown)
+    return UnreadableError(ARCHIVE_DAMAGED, f"'{shown}' is damaged: it {message}", where=shown)
 
 
 def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
@@ -172,11 +187,11 @@ def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
             return bounds
     if data.startswith((b"PK\x03\x04", b"PK\x05\x06")):
         raise UnreadableError(
-            "archive.truncated",
+            ARCHIVE_TRUNCATED,
             "not a ZIP archive, or a damaged one: its end is missing or damaged",
             "copy or upload it once more, or pack the folder again",
         )
-    raise UnreadableError("archive.not_zip", "this is not a ZIP archive", "pack the folder as a ZIP archive")
+    raise UnreadableError(ARCHIVE_NOT_ZIP, "this is not a ZIP archive", "pack the folder as a ZIP archive")
 
 
 def _bounds_at(data: bytes, at: int, troubles: Problems) -> _Bounds | None:
@@ -201,18 +216,18 @@ def _bounds_at(data: bytes, at: int, troubles: Problems) -> _Bounds | None:
     if offset > start or at + _END.size + comment > len(data):
         return None
     if disk or first_disk or here != count:
-        raise UnreadableError("archive.split", "this is one part of an archive in several parts", _PACK_AGAIN)
+        raise UnreadableError(ARCHIVE_SPLIT, "this is one part of an archive in several parts", _PACK_AGAIN)
     if count > MAX_ENTRIES:
         raise _too_many()
     rest = len(data) - (at + _END.size + comment)
     if rest:
         message = _stray(rest, "follows", "follow")
-        troubles.add(Problem("archive.trailing", "warning", message, _PACK_AGAIN, repair=True))
+        troubles.add(Diagnostic(ARCHIVE_TRAILING, message, _PACK_AGAIN, repair=True))
     if offset < start and data.startswith(b"PK\x03\x04"):
-        raise UnreadableError("archive.two", "these are two archives in one file", _PACK_AGAIN)
+        raise UnreadableError(ARCHIVE_TWO, "these are two archives in one file", _PACK_AGAIN)
     if offset < start:
         message = _stray(start - offset, "stands before", "stand before")
-        troubles.add(Problem("archive.prepended", "warning", message, _PACK_AGAIN, repair=True))
+        troubles.add(Diagnostic(ARCHIVE_PREPENDED, message, _PACK_AGAIN, repair=True))
     return _Bounds(start, end, start - offset, count)
 
 
@@ -224,7 +239,7 @@ def _stray(count: int, stands: str, stand: str) -> str:
 
 def _too_many() -> UnreadableError:
     return UnreadableError(
-        "archive.too_many",
+        ARCHIVE_TOO_MANY,
         f"the archive has more than {MAX_ENTRIES} entries",
         "pack the folder of the robot programs only",
     )
@@ -250,7 +265,7 @@ def _entries(data: bytes, bounds: _Bounds) -> Iterator[Entry]:
             return
         if at + _ENTRY.size > bounds.end or data[at : at + 4] != b"PK\x01\x02":
             message = f"the archive's table of contents is damaged after {counted(number, 'entry', 'entries')}"
-            raise UnreadableError("archive.damaged", message)
+            raise UnreadableError(ARCHIVE_DAMAGED, message)
         fields = _ENTRY.unpack_from(data, at)
         (_, _, _, flags, method, _, _, crc, packed, size, name_size, extra_size, comment_size) = fields[:13]
         disk, _, outer, offset = fields[13:]
@@ -258,11 +273,11 @@ def _entries(data: bytes, bounds: _Bounds) -> Iterator[Entry]:
         extra_at = name_at + name_size
         at = extra_at + extra_size + comment_size
         if at > bounds.end:
-            raise UnreadableError("archive.damaged", "the archive's table of contents breaks off")
+            raise UnreadableError(ARCHIVE_DAMAGED, "the archive's table of contents breaks off")
         raw_name = data[name_at:extra_at]
         packed, size, offset = _widened(data[extra_at : extra_at + extra_size], packed, size, offset)
         if disk not in (0, _ALL_ONES_16):
-            raise UnreadableError("archive.split", "this is one part of an archive in several parts")
+            raise UnreadableError(ARCHIVE_SPLIT, "this is one part of an archive in several parts")
         name = _decoded(raw_name, flags)
         yield Entry(name, raw_name, flags, method, crc, packed, size, outer >> 16, offset + bounds.shift)
     raise _too_many()
@@ -306,11 +321,11 @@ def _check_overlap(entries: list[Entry], bounds: _Bounds) -> None:
         shown = safe_text(entry.name)
         if entry.offset < end:
             message = f"'{shown}' shares its bytes with another entry"
-            raise UnreadableError("archive.overlap", message, where=shown)
+            raise UnreadableError(ARCHIVE_OVERLAP, message, where=shown)
         end = entry.offset + _LOCAL.size + len(entry.raw_name) + entry.packed
         if end > bounds.start:
             message = f"'{shown}' is said to lie outside of the archive"
-            raise UnreadableError("archive.damaged", message, where=shown)
+            raise UnreadableError(ARCHIVE_DAMAGED, message, where=shown)
 
 
 def _content_start(data: bytes, entry: Entry) -> tuple[int, str]:
@@ -326,7 +341,7 @@ def _content_start(data: bytes, entry: Entry) -> tuple[int, str]:
     raw_name = data[at + _LOCAL.size : at + _LOCAL.size + name_size]
     if raw_name != entry.raw_name or method != entry.method or (flags ^ entry.flags) & _ENCRYPTED:
         message = f"'{shown}' has another name or method in the table of contents than in its own header"
-        raise UnreadableError("archive.deceptive", message, where=shown)
+        raise UnreadableError(ARCHIVE_DECEPTIVE, message, where=shown)
     said = ((crc, entry.crc), (packed, entry.packed), (size, entry.size))
     if not flags & _SIZES_FOLLOW and any(here not in (there, _ALL_ONES_32) for here, there in said):
         return start, f"'{shown}' has another size or checksum in the table of contents than in its own header"

@@ -25,6 +25,7 @@ from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.submissions.archive import Contents, TeamError, read_contents
 from rcj_challenges.submissions.limits import MAX_PACKED_BYTES
 from rcj_challenges.submissions.team import opening_of
+from rcj_challenges.tournament.codes import SUBMISSION_UNREADABLE
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.tournament.store.tables import SubmissionRow
@@ -59,7 +60,7 @@ def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[s
                 handed[entry.id, purpose] = _take(entry.id, purpose, source, store)
             except (OSError, TeamError) as error:
                 message = f"the submission of {entry.id} cannot be read: {format_error(error)}"
-                problems.append(Diagnostic("submission-unreadable", message, _REPLACE, InFile(str(source))))
+                problems.append(Diagnostic(SUBMISSION_UNREADABLE, message, _REPLACE, InFile(str(source))))
     if problems:
         raise DiagnosticError(*problems)
     for key, one in handed.items():
@@ -204,7 +205,7 @@ def _noting(
                 if own.archive == one.archive:
                     _keep_report(report, own, task, store, sandbox)
             found = (finding for stage in report.stages for finding in stage.findings)
-            failures = [(finding.code, finding.message) for finding in found if finding.level == "failure"]
+            failures = [(str(finding.code), finding.message) for finding in found if finding.level == "error"]
             store.add_check(one.archive, task.scenario, report.level, failures)
         observer.checked(one.team, task.loaded.scenario.id, report.level, count, len(todo))
 

@@ -14,6 +14,7 @@ from typing import Any, Self
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.tournament.codes import DRAWN_BEFORE
 from rcj_challenges.tournament.season import Team
 
 Rounds = list[list[list[str]]]
@@ -76,7 +77,7 @@ def drawn_before(changes: Iterable[str], *ways: str) -> DiagnosticError:
     """Return the error of changes after the draw, with ways out beside undoing them and another draw."""
     redraw = "'run FILE --redraw' draws again and keeps the matches of pairs that still exist"
     help_ = "; or ".join(("undo the change", *ways, redraw))
-    return DiagnosticError(Diagnostic("drawn-before", f"changed after the draw: {'; '.join(changes)}", help_))
+    return DiagnosticError(Diagnostic(DRAWN_BEFORE, f"changed after the draw: {'; '.join(changes)}", help_))
 
 
 def add_to_rounds(rounds: Rounds, teams: Sequence[str], late: str, legs: int) -> None:

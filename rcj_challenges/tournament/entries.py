@@ -11,13 +11,22 @@ from hashlib import sha256
 from itertools import islice
 from pathlib import Path
 
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
 from rcj_challenges.submissions.paths import ignored_folder
-from rcj_challenges.tournament.errors import did_you_mean, problem_at
+from rcj_challenges.tournament.codes import (
+    NO_SUBMISSION,
+    SAME_TEAM_ID,
+    TEAMS_FOLDER,
+    TWO_SOURCES,
+    UNKNOWN_SAMPLE,
+    UNKNOWN_TEAM,
+)
+from rcj_challenges.tournament.errors import did_you_mean
 from rcj_challenges.tournament.models import ChallengeScenario, General, TeamModel
 from rcj_challenges.tournament.season import Team
 
@@ -100,9 +109,9 @@ class TeamLists:
                     found[team][name, key] = submitted.get(team)
         return {team: replace(entry, challenges=found[team]) for team, entry in entries.items()}
 
-    def _add(self, path: tuple[str, ...], code: str, message: str, help_: str, *, at_key: bool = False) -> None:
+    def _add(self, path: tuple[str, ...], code: Code, message: str, help_: str, *, at_key: bool = False) -> None:
         mark = mark_of(self.tree, path, at_key=at_key)
-        self.problems.append(problem_at(mark, code, message, help_, ".".join(path)))
+        self.problems.append(mark.error(code, message, help_, ".".join(path)))
 
     def _submitted(self, where: tuple[str, ...], name: str | None) -> dict[str, Path]:
         """Return the submissions of a folder by team id."""
@@ -111,12 +120,12 @@ class TeamLists:
             paths = sorted((self.folder / name).iterdir()) if name is not None else []
         except (OSError, ValueError) as error:
             message = f"the folder '{name}' cannot be read: {format_error(error)}"
-            self._add(where, "teams-folder", message, "create it, and put each team's ZIP into it")
+            self._add(where, TEAMS_FOLDER, message, "create it, and put each team's ZIP into it")
             return {}
         strays = [path for path in paths if path.is_dir() and not _has_program(path)]
         if len(strays) > max(_MAX_STRAYS, len(paths) // 2):
             message = f"the folder '{name}' has {len(strays)} folders without programs, such as '{strays[0].name}'"
-            self._add(where, "teams-folder", message, "give the folder in which each team has its ZIP")
+            self._add(where, TEAMS_FOLDER, message, "give the folder in which each team has its ZIP")
             return {}
         for path in paths:
             is_folder = path.is_dir()
@@ -125,20 +134,20 @@ class TeamLists:
                 continue
             if not _is_inside(path):
                 message = f"'{path.name}' is a pipe, a device, or a link that does not lead to a file in the folder"
-                self._add(where, "teams-folder", message, "put the team's ZIP itself there")
+                self._add(where, TEAMS_FOLDER, message, "put the team's ZIP itself there")
                 continue
             key = id_of(path.name if is_folder else path.stem)
             twin = next((other for other in found if other.casefold() == key.casefold()), None)
             if twin is not None:
                 message = f"'{found[twin].name}' and '{path.name}' give the same team id '{twin}'"
-                self._add(where, "same-team-id", message, "rename one of them, or remove it")
+                self._add(where, SAME_TEAM_ID, message, "rename one of them, or remove it")
             found.setdefault(key if twin is None else twin, path)
         return found
 
     def _source(self, key: str, model: TeamModel, submitted: Mapping[str, Path]) -> Path | None:
-        code, message, help_ = "no-submission", f"team '{key}' has no submission", ""
+        code, message, help_ = NO_SUBMISSION, f"team '{key}' has no submission", ""
         if model.path is not None and model.sample is not None:
-            code, message, help_ = "two-sources", "both 'path' and 'sample' are given", "keep one of them"
+            code, message, help_ = TWO_SOURCES, "both 'path' and 'sample' are given", "keep one of them"
         elif model.path is not None:
             if os.path.exists(self.folder / model.path):  # noqa: PTH110 - that of pathlib raises for odd names
                 return self.folder / model.path
@@ -147,7 +156,7 @@ class TeamLists:
             samples = sorted(one.name for one in teams_folder().iterdir() if one.is_dir())
             if model.sample in samples:
                 return teams_folder() / model.sample
-            code, message = "unknown-sample", f"no sample team '{model.sample}'"
+            code, message = UNKNOWN_SAMPLE, f"no sample team '{model.sample}'"
             help_ = did_you_mean(model.sample, samples, f"Sample teams: {listing(samples, 30)}")
         elif key in submitted:
             return submitted[key]
@@ -162,7 +171,7 @@ class TeamLists:
             twin = first.setdefault(key.casefold(), key)
             if twin != key:
                 message = f"the team ids '{twin}' and '{key}' differ by case only"
-                self._add(("teams", key), "same-team-id", message, "give one of them another id", at_key=True)
+                self._add(("teams", key), SAME_TEAM_ID, message, "give one of them another id", at_key=True)
 
     def _refuse_strangers(
         self, where: tuple[str, ...], submitted: Mapping[str, Path], entries: Mapping[str, TeamEntry]
@@ -171,7 +180,7 @@ class TeamLists:
             if key not in entries:
                 message = f"'{path.name}' is of no team of this tournament"
                 help_ = did_you_mean(key, entries, "Name it after its team's id, or remove it")
-                self._add(where, "unknown-team", message, help_)
+                self._add(where, UNKNOWN_TEAM, message, help_)
 
 
 def _has_program(folder: Path) -> bool:

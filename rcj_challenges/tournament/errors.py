@@ -6,7 +6,6 @@ from collections.abc import Iterable
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.scenario import errors
-from rcj_challenges.scenario.tree import Mark
 
 
 class TournamentFileError(DiagnosticError):
@@ -19,11 +18,6 @@ class TournamentFileError(DiagnosticError):
 def did_you_mean(word: str, known: Iterable[str], then: str = "") -> str:
     """Return ``did you mean 'x'?`` for the known word that is most like ``word``, if there is one, and then a text."""
     return f"{errors.did_you_mean(word, known)} {then}".strip()
-
-
-def problem_at(mark: Mark, code: str, message: str, help_: str, path: str = "") -> Diagnostic:
-    """Return a mistake at a place of a file."""
-    return Diagnostic(code, message, help_, InFile(mark.file, mark.line or None, mark.column or None, path))
 
 
 def _position(problem: Diagnostic) -> tuple[str, int, int, str]:

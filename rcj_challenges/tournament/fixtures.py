@@ -11,6 +11,7 @@ from rcj_challenges.records.result import has_time_fault, versions
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.submissions.team import TeamError, open_team
 from rcj_challenges.tournament.admission import CheckTask, Submissions, purpose_of
+from rcj_challenges.tournament.codes import SUBMISSION_UNUSABLE
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.scenarios import ScenarioUse
@@ -103,7 +104,7 @@ class JobMaker:
         if one is None:  # it has left, and a SuperTeam still counts on its program
             message = f"{team} has never handed in a submission that can be read, and is to play in '{fixture.id}'"
             help_ = f"decide that match: 'tournament decide FILE {fixture.id} --forfeit {team} --reason TEXT'"
-            raise DiagnosticError(Diagnostic("submission-unusable", message, help_))
+            raise DiagnosticError(Diagnostic(SUBMISSION_UNUSABLE, message, help_))
         entrants = entrants_of(seat, loaded.scenario)
         key = (one.archive, repr([entrant.robots for entrant in entrants]))
         if key not in self._digests:
@@ -113,7 +114,7 @@ class JobMaker:
             except TeamError as error:
                 message = f"the submission of {team} cannot be opened for '{loaded.scenario.title}': {error}"
                 help_ = "let the team replace it, or decide its matches with 'tournament decide'"
-                raise DiagnosticError(Diagnostic("submission-unusable", message, help_)) from error
+                raise DiagnosticError(Diagnostic(SUBMISSION_UNUSABLE, message, help_)) from error
         return Program(one.archive, self._digests[key], self.tournament.season.teams[team].name)
 
 

@@ -20,6 +20,7 @@ from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.tournament.codes import DATA_FILE_MISSING
 from rcj_challenges.tournament.models import Records
 
 STATS = "stats.json"
@@ -190,7 +191,7 @@ def scenario_hash(scenario: Scenario) -> str:
 def data_file_error(path: Path, why: str) -> DiagnosticError:
     """Return the error of an unusable file of the tournament's data."""
     message = f"a file of the tournament's data cannot be used: {path}: {why}"
-    return DiagnosticError(Diagnostic("data-file-missing", message, "put it back, or delete it and run again"))
+    return DiagnosticError(Diagnostic(DATA_FILE_MISSING, message, "put it back, or delete it and run again"))
 
 
 def trim_record(folder: Path, records: Records) -> None:

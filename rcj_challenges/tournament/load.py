@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.files import open_regular
+from rcj_challenges.scenario.codes import NO_SUCH_FILE, UNREADABLE_FILE, WRONG_VALUE
 from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load
@@ -21,8 +22,9 @@ from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes
 from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tournaments_folder
 from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of, plain
 from rcj_challenges.tournament.checks import Checks
+from rcj_challenges.tournament.codes import UNKNOWN_SCENARIO, WRONG_SCENARIO
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
-from rcj_challenges.tournament.errors import TournamentFileError, did_you_mean, problem_at
+from rcj_challenges.tournament.errors import TournamentFileError, did_you_mean
 from rcj_challenges.tournament.models import Records
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
@@ -94,7 +96,7 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
     infos = {use: _info(loaded.scenario) for use, loaded in scenarios.items()}
     problems += lists.problems
     problems += Checks(tournament, teams, infos, tree, names, are_teams_known=not lists.problems).problems()
-    if any(one.severity == "error" for one in problems):
+    if any(one.level == "error" for one in problems):
         raise TournamentFileError(problems)
     return LoadedTournament(tournament, path.stem, path, entries, infos, tuple(problems))
 
@@ -116,7 +118,7 @@ def find_tournament(source: str | Path) -> Path:
         return tournaments_folder() / f"{source}.yaml"
     help_ = did_you_mean(str(source), shipped, f"Shipped are {listing(shipped)}")
     message = "no such file, and no shipped tournament of that name"
-    raise TournamentFileError([problem_at(Mark(str(source)[:200]), "no-such-file", message, help_)])
+    raise TournamentFileError([Mark(str(source)[:200]).error(NO_SUCH_FILE, message, help_)])
 
 
 def read_tree(path: Path, shown: str) -> Node:
@@ -130,7 +132,7 @@ def read_tree(path: Path, shown: str) -> Node:
             return parse_bytes(file.read(MAX_BYTES + 1), shown)
     except OSError as error:
         help_ = "give a file that you may read"
-        raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", format_error(error), help_)]) from None
+        raise TournamentFileError([Mark(shown).error(UNREADABLE_FILE, format_error(error), help_)]) from None
     except ScenarioError as error:
         help_ = "the file is read as strict YAML: correct this line"
         raise TournamentFileError(replace(one, help=one.help or help_) for one in error.diagnostics) from None
@@ -139,7 +141,7 @@ def read_tree(path: Path, shown: str) -> Node:
 def _validated(tree: Node) -> tuple[Tournament, Entries]:
     if not isinstance(tree, Entries):
         help_ = "write keys and their values: 'tournament_version', 'title', 'seed', 'stages', …"
-        raise TournamentFileError([problem_at(tree.mark, "wrong-value", "a tournament file is a mapping", help_)])
+        raise TournamentFileError([tree.mark.error(WRONG_VALUE, "a tournament file is a mapping", help_)])
     try:
         return Tournament.model_validate(plain(tree)), tree
     except ValidationError as error:
@@ -164,10 +166,10 @@ def _samples(
 def _of_scenario(mark: Mark, path: str, problem: Diagnostic) -> Diagnostic:
     if problem.code == "no-such-file":
         message = "no such file, and no shipped scenario of that name"
-        return problem_at(mark, "unknown-scenario", message, f"Shipped are {listing(shipped_scenarios(), 20)}", path)
+        return mark.error(UNKNOWN_SCENARIO, message, f"Shipped are {listing(shipped_scenarios(), 20)}", path)
     help_ = "'rcj-challenge validate SCENARIO' shows all that is wrong with it"
     message = f"the scenario cannot be used: {problem.where}: {problem.message}"
-    return problem_at(mark, "wrong-scenario", message, help_, path)
+    return mark.error(WRONG_SCENARIO, message, help_, path)
 
 
 def _info(scenario: Scenario) -> ScenarioInfo:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.result import deciding, versions
+from rcj_challenges.tournament.codes import OTHER_VERSIONS, STAGE_CLOSED
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import Workplace, sizes
 from rcj_challenges.tournament.opened import OpenTournament, later_stages, sides_of
@@ -73,14 +74,14 @@ def begun_later_stage(tournament: OpenTournament, state: SeasonState, stage: str
 def stage_closed(message: str) -> DiagnosticError:
     """Return the error for a change that would change the teams of a stage that has begun."""
     help_ = "undo the change; or give --cascade: what depends on it is played again"
-    return DiagnosticError(Diagnostic("stage-closed", message, help_))
+    return DiagnosticError(Diagnostic(STAGE_CLOSED, message, help_))
 
 
 def _other_versions(before: Mapping[str, str], now: Mapping[str, str]) -> DiagnosticError:
     changed = [f"{name} {before.get(name, 'none')}, now {now[name]}" for name in now if before.get(name) != now[name]]
     message = f"matches of this tournament were played with {'; '.join(changed)}: results could not be compared"
     help_ = "install the versions of before; or play the whole tournament again into another folder: --data DIR"
-    return DiagnosticError(Diagnostic("other-versions", message, help_))
+    return DiagnosticError(Diagnostic(OTHER_VERSIONS, message, help_))
 
 
 def other_pythons(store: Store) -> list[str]:

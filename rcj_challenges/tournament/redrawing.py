@@ -7,6 +7,7 @@ from dataclasses import asdict
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.tournament.codes import ADDED_TOO_LATE, UNKNOWN_TEAM
 from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.opened import OpenTournament, sides_of
@@ -63,7 +64,7 @@ def add_teams(tournament: OpenTournament, late: Sequence[str]) -> list[str]:
     for team in dict.fromkeys(late):
         if team not in teams:
             message = f"there is no team '{team}'"
-            raise DiagnosticError(Diagnostic("unknown-team", message, f"teams: {listing(teams, 30)}"))
+            raise DiagnosticError(Diagnostic(UNKNOWN_TEAM, message, f"teams: {listing(teams, 30)}"))
         if team in drawn.pots:
             continue
         drawn.pots[team] = teams[team].pot
@@ -73,7 +74,7 @@ def add_teams(tournament: OpenTournament, late: Sequence[str]) -> list[str]:
         if not entered:
             message = f"it is too late for '{team}': {listing(too_late)} has been drawn or is finished"
             help_ = "remove it; or draw again with --redraw"
-            raise DiagnosticError(Diagnostic("added-too-late", message, help_))
+            raise DiagnosticError(Diagnostic(ADDED_TOO_LATE, message, help_))
         why = f"; too late for {listing(too_late)}" if too_late else ""
         lines.append(f"{team} plays from stage {entered[0]} on{why}")
     drawn.check(tournament.loaded.tournament.seed, teams)

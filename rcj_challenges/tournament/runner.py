@@ -17,6 +17,7 @@ from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.folder import replaced, when_free
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.result import has_time_fault
+from rcj_challenges.tournament.codes import CANNOT_GO_ON
 from rcj_challenges.tournament.executor import Executor, JobOutcome
 from rcj_challenges.tournament.fixtures import JobMaker, outcome_of, summary_of
 from rcj_challenges.tournament.jobs import MatchJob, Workplace, sizes
@@ -271,4 +272,4 @@ def keep_record(folder: Path, place: Workplace, job_id: str) -> None:
 def cannot_go_on(folder: Path, why: str) -> DiagnosticError:
     """Return the error for a computer that cannot go on; nothing that was played is lost."""
     message = f"this computer cannot continue the matches in {folder}: {why}"
-    return DiagnosticError(Diagnostic("cannot-go-on", message, "fix this and run again: it continues where it stopped"))
+    return DiagnosticError(Diagnostic(CANNOT_GO_ON, message, "fix this and run again: it continues where it stopped"))

@@ -13,6 +13,7 @@ from ninja import NinjaAPI, Schema, Status
 from ninja.security import HttpBearer
 
 from rcj_challenges.web.accounts import team_of_code
+from rcj_challenges.web.codes import NO_FILE, NO_LADDER
 from rcj_challenges.web.ladder.published import Results
 from rcj_challenges.web.models import Entry, Season, Submission, Team
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
@@ -88,7 +89,7 @@ def hand_in(request: HttpRequest) -> Status[dict[str, Any]]:
     team: Team = request.auth  # type: ignore[attr-defined]  # set by the library
     given = getattr(request, "scope", {}).get("rcj.upload")
     if given is None:
-        return Status(400, {"code": "no-file", "message": "send the ZIP as the body"})
+        return Status(400, {"code": NO_FILE, "message": "send the ZIP as the body"})
     path, sha256, size = given
     wanted = request.headers.get("Content-Digest", "")
     digest = base64.b64encode(bytes.fromhex(sha256)).decode()
@@ -121,7 +122,7 @@ def season_results(request: HttpRequest, pk: int) -> Status[Results | dict[str, 
     season = Season.objects.filter(pk=pk).first()
     results = None if season is None else published(season)
     if results is None:
-        return Status(404, {"code": "no-ladder", "message": "there is no season with this number that has begun"})
+        return Status(404, {"code": NO_LADDER, "message": "there is no season with this number that has begun"})
     return Status(200, results)
 
 

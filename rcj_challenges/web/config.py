@@ -12,6 +12,7 @@ import yaml
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
 
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.web.codes import BAD_SITE_FILE, NOT_A_SITE, SITE_EXISTS
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.settings import settings_for
 
@@ -98,7 +99,7 @@ def make_site(folder: Path, title: str) -> SiteConfig:
     """
     if (folder / SITE_FILE).exists():
         message = f"{sanitize(folder)}: there is a site in this folder"
-        raise SiteError(message, f"start it with: rcj-challenge site serve {sanitize(folder)}", code="site-exists")
+        raise SiteError(message, f"start it with: rcj-challenge site serve {sanitize(folder)}", code=SITE_EXISTS)
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     for name in ("blobs", "incoming", "reports"):
         (folder / name).mkdir(exist_ok=True)
@@ -121,7 +122,7 @@ def load_site(folder: Path, *, trust_all_teams: bool = False) -> SiteConfig:
     except (OSError, UnicodeDecodeError) as error:
         message = f"{sanitize(folder)}: there is no site in this folder"
         raise SiteError(
-            message, f"make one: rcj-challenge site init {sanitize(folder.name)}", code="not-a-site"
+            message, f"make one: rcj-challenge site init {sanitize(folder.name)}", code=NOT_A_SITE
         ) from error
     try:
         given = yaml.safe_load(text) or {}
@@ -130,10 +131,10 @@ def load_site(folder: Path, *, trust_all_teams: bool = False) -> SiteConfig:
         first = error.errors()[0]
         key = ".".join(map(str, first["loc"]))
         message = f"{SITE_FILE}: {key}: {sanitize(first['msg'].removeprefix('Value error, '), 200)}"
-        raise SiteError(message, "docs/site.md lists the keys", code="bad-site-file") from error
+        raise SiteError(message, "docs/site.md lists the keys", code=BAD_SITE_FILE) from error
     except (yaml.YAMLError, TypeError) as error:
         message = f"{SITE_FILE}: {sanitize(error, 200)}"
-        raise SiteError(message, "write one key: value to a line", code="bad-site-file") from error
+        raise SiteError(message, "write one key: value to a line", code=BAD_SITE_FILE) from error
 
 
 def set_up(config: SiteConfig) -> None:
@@ -163,5 +164,5 @@ def _secret_key(folder: Path) -> str:
     except OSError as error:
         message = f"{sanitize(folder)}: the file {SECRET_FILE} cannot be read"
         raise SiteError(
-            message, "put it back from a backup; without it all cards and sessions end", code="not-a-site"
+            message, "put it back from a backup; without it all cards and sessions end", code=NOT_A_SITE
         ) from error

@@ -198,7 +198,7 @@ class Dispatcher:
         report = answer["report"]
         if answer["host"] or report["level"] == "unchecked":
             raise _HostFaultError(report["hindrance"] or "the check itself failed")
-        state = State.REJECTED if report["level"] == "failure" else State.ACCEPTED
+        state = State.REJECTED if report["level"] == "error" else State.ACCEPTED
         verdict = Verdict(state, report["level"], report["digest"], report)
 
         def store(_job: Job) -> None:

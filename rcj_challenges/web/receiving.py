@@ -13,8 +13,10 @@ from django.db.models import Max, QuerySet, Sum
 from django.utils.timezone import localtime
 from django.utils.translation import gettext
 
+from rcj_challenges.core.codes import DISK_FULL
 from rcj_challenges.web import jobs
 from rcj_challenges.web.blobs import Blobs, report_folder
+from rcj_challenges.web.codes import NO_SEASON, NO_TEAM, NOT_OPEN, NOT_STORED, TOO_MUCH, TOO_OFTEN
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Job, JobState, Season, State, Submission, Team
 
@@ -45,12 +47,12 @@ def ensure_may_upload(team: Team, season: Season | None, begun_at: datetime) -> 
     """
     if season is None:
         message = gettext("nothing is open for uploads; the organizers announce the next season")
-        raise RefusedError(409, "no-season", message)
+        raise RefusedError(409, NO_SEASON, message)
     if season.opens_at is not None and begun_at < season.opens_at:
         message = gettext("uploads open on {time:%Y-%m-%d at %H:%M %Z}").format(time=localtime(season.opens_at))
-        raise RefusedError(409, "not-open", message)
+        raise RefusedError(409, NOT_OPEN, message)
     if not Blobs(current_site().folder).has_room():
-        raise RefusedError(507, "disk-full", gettext("the site has no room for more; the organizers can see this"))
+        raise RefusedError(507, DISK_FULL, gettext("the site has no room for more; the organizers can see this"))
     _ensure_within_quotas(team, begun_at)
     return season
 
@@ -61,14 +63,14 @@ def _ensure_within_quotas(team: Team, begun_at: datetime) -> None:
     counted = today.filter(is_counted=True)
     if counted.filter(received_at__gt=begun_at - _HOUR).count() >= config.uploads_per_hour:
         message = gettext("{count} uploads an hour are taken; try again later").format(count=config.uploads_per_hour)
-        raise RefusedError(429, "too-often", message)
+        raise RefusedError(429, TOO_OFTEN, message)
     limit = config.uploads_per_day
     if counted.count() >= limit or today.count() >= _UNCOUNTED_FACTOR * limit:
         message = gettext("{count} uploads a day are taken; try again tomorrow").format(count=limit)
-        raise RefusedError(429, "too-often", message)
+        raise RefusedError(429, TOO_OFTEN, message)
     if (today.aggregate(total=Sum("size_bytes"))["total"] or 0) >= config.upload_bytes_per_day:
         message = gettext("{count} bytes a day are taken of a team; try again tomorrow")
-        raise RefusedError(429, "too-much", message.format(count=config.upload_bytes_per_day))
+        raise RefusedError(429, TOO_MUCH, message.format(count=config.upload_bytes_per_day))
 
 
 def receive(
@@ -109,7 +111,7 @@ def receive(
         raise
     except (OSError, DatabaseError) as error:
         message = gettext("the site cannot store it at this moment; nothing was taken: try again")
-        raise RefusedError(507, "not-stored", message) from error
+        raise RefusedError(507, NOT_STORED, message) from error
 
 
 def accept_repaired(submission: Submission, sha256: str, size_bytes: int, now: datetime) -> Submission:
@@ -128,7 +130,7 @@ def _record(
     repaired_from: Submission | None = None,
 ) -> Submission:
     if Team.objects.select_for_update().filter(pk=team.pk, deleted_at=None).first() is None:
-        raise RefusedError(409, "no-team", gettext("this team has been deleted"))
+        raise RefusedError(409, NO_TEAM, gettext("this team has been deleted"))
     if repaired_from is None:
         _ensure_within_quotas(team, begun_at)
     mine = Submission.objects.filter(team=team, season=season)
@@ -158,7 +160,7 @@ def _record(
     else:
         jobs.enqueue_check(submission, now)
     if not Blobs(current_site().folder).path(sha256).exists():  # a team with the same bytes was deleted just now
-        raise RefusedError(503, "not-stored", gettext("the site could not store it; try again"))
+        raise RefusedError(503, NOT_STORED, gettext("the site could not store it; try again"))
     return submission
 
 

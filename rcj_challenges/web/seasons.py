@@ -15,6 +15,7 @@ from django.utils.translation import gettext
 from rcj_challenges.records.result import deciding, versions
 from rcj_challenges.web import jobs
 from rcj_challenges.web.blobs import Blobs, match_folder, record_folder
+from rcj_challenges.web.codes import NOT_FOR_TWO
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.demo import match_samples, zipped
 from rcj_challenges.web.errors import SiteError
@@ -113,7 +114,7 @@ def _kept_scenario(season: Season) -> tuple[str, list[Entrant]]:
     loaded = load(season.scenario, [*season.overrides, *season.ladder_overrides])
     if sorted(loaded.scenario.entrants) != sorted(SIDES):
         message = gettext("{scenario} is not played by two teams against each other").format(scenario=season.scenario)
-        raise SiteError(message, gettext("choose another scenario for this season"), code="not-for-two")
+        raise SiteError(message, gettext("choose another scenario for this season"), code=NOT_FOR_TWO)
     return MatchPlace(current_site().folder).keep_scenario(loaded), list(loaded.scenario.entrants.values())
 
 

@@ -13,7 +13,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from rcj_challenges.core.codes import BAD_OPTION
 from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.codes import SITE_DATABASE, SITE_ISOLATION
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.errors import SiteError
 
@@ -50,7 +52,7 @@ def migrate(config: SiteConfig) -> list[str]:
     except DatabaseError as error:
         first = str(error).strip().splitlines()[0]
         raise SiteError(
-            f"the database cannot be used: {first}", "check database in site.yaml", code="site-database"
+            f"the database cannot be used: {first}", "check database in site.yaml", code=SITE_DATABASE
         ) from error
 
 
@@ -69,7 +71,7 @@ def ensure_isolation(config: SiteConfig) -> None:
         active_layers("strict")
     except RcjError as error:
         message = f"programs cannot be isolated here: {error}"
-        raise SiteError(message, "run it on Linux, or give --trust-all-teams", code="site-isolation") from error
+        raise SiteError(message, "run it on Linux, or give --trust-all-teams", code=SITE_ISOLATION) from error
 
 
 def first_link(address: str) -> str | None:
@@ -132,7 +134,7 @@ def serve(config: SiteConfig, host: str, port: int, *, dispatch: bool, on_start:
         listening.listen()  # from here on a browser that follows the printed link waits instead of being refused
     except OSError as error:
         message = f"cannot listen at {host}:{port}: {error.strerror}"
-        raise SiteError(message, "give another --port", code="bad-option") from error
+        raise SiteError(message, "give another --port", code=BAD_OPTION) from error
     address = f"http://{'localhost' if host in {'127.0.0.1', '0.0.0.0'} else host}:{listening.getsockname()[1]}"  # noqa: S104
     server = uvicorn.Server(
         uvicorn.Config(

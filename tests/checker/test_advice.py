@@ -266,6 +266,6 @@ def test_a_check_gives_the_hint_as_the_help_of_the_failure(tmp_path, program, fi
         archive.writestr(ENTRY, program)
         archive.writestr("team_name.txt", "Hanse")
     report = check_file(path, alone("limits.start_s=10", "limits.step_s=0.5"), CheckOptions(play_s=1.0))
-    (failure,) = [one for stage in report.stages for one in stage.findings if one.level == "failure"]
+    (failure,) = [one for stage in report.stages for one in stage.findings if one.level == "error"]
     assert failure.code == finding
     assert part in failure.help

@@ -37,7 +37,7 @@ def test_reports_come_as_they_are_ready_and_are_returned_in_order(pack):
     seen = []
     reports = check_many(paths, MATCH, UNPLAYED, 2, lambda report: seen.append(report.file))
     assert [report.file for report in reports] == ["c.zip", "a.zip", "b.zip"]
-    assert [report.level == "failure" for report in reports] == [False, True, False]
+    assert [report.level == "error" for report in reports] == [False, True, False]
     assert sorted(seen) == ["a.zip", "b.zip", "c.zip"]
 
 

@@ -23,6 +23,7 @@ from rcj_challenges.checker.report import check_report, schema_text, summary, ve
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_report
 from rcj_challenges.core.errors import HostError
+from rcj_challenges.records.codes import RECORD_DAMAGED
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.errors import PhysicsFault
@@ -74,7 +75,7 @@ def test_what_this_computer_cannot_do_is_no_verdict_on_a_team(team, monkeypatch,
     checked = check_file(team(), MATCH, SHORT)
     assert checked.level == "unchecked"
     assert checked.hindrance
-    assert checked.count("failure") == 0
+    assert checked.count("error") == 0
     assert "It cannot play" not in verdict(checked)
 
 
@@ -88,7 +89,7 @@ def test_a_temporary_folder_that_is_not_there_is_no_verdict_on_a_team(team, tmp_
 
 def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_on_a_team(team, monkeypatch):
     path = team(CRASHING)
-    assert check_file(path, ALONE, SHORT).level == "failure"
+    assert check_file(path, ALONE, SHORT).level == "error"
     monkeypatch.setattr(check_module, "ensure_room", no_space)
     assert check_file(path, ALONE, SHORT).level == "unchecked"
 
@@ -102,10 +103,10 @@ def test_a_fault_of_ours_is_reported_as_such_everywhere_and_ends_with_3(team, mo
         bad, stumbled, check_file(team(), MATCH, SHORT), crashed_report(name_submissions([team()])[0], "it died")
     )
     assert (checked.exit_code, checked.level) == (3, "unchecked")
-    assert summary(checked) == "4 submissions: 0 ok, 0 warnings, 1 failure, 3 not checked"
+    assert summary(checked) == "4 submissions: 0 ok, 0 warnings, 1 error, 3 not checked"
     assert "a fault of the check itself and says nothing about the team" in verdict(stumbled)
     data = json.loads(json.dumps(checked.model_dump(mode="json")))
-    assert [file["level"] for file in data["files"]] == ["failure", "unchecked", "unchecked", "unchecked"]
+    assert [file["level"] for file in data["files"]] == ["error", "unchecked", "unchecked", "unchecked"]
     jsonschema.validate(data, json.loads(schema_text()))
     page = html_page(checked, tmp_path)
     assert page.count(">not checked</span>") == 8  # three in the table, three in the heads, two stages
@@ -115,13 +116,13 @@ def test_a_fault_of_ours_is_reported_as_such_everywhere_and_ends_with_3(team, mo
 
 
 @pytest.mark.parametrize(
-    ("error", "exit_code"), [(PhysicsFault("cannot go on"), 3), (RecordError("record-damaged", "cannot go on"), 2)]
+    ("error", "exit_code"), [(PhysicsFault("cannot go on"), 3), (RecordError(RECORD_DAMAGED, "cannot go on"), 2)]
 )
 def test_a_match_that_cannot_be_played_is_no_verdict(team, monkeypatch, error, exit_code):
     monkeypatch.setattr(starting, "check_start", raising(error))
     checked = check_file(team(), MATCH, SHORT)
     assert (checked.level, checked.hindrance) == ("unchecked", "cannot go on")
-    assert [finding.code for stage in checked.stages for finding in stage.findings][-1] == "start.impossible"
+    assert [finding.code for stage in checked.stages for finding in stage.findings][-1] == "check.impossible"
     assert report(checked).exit_code == exit_code
 
 

@@ -24,7 +24,7 @@ LOOP = "while robot.step(32) != -1:\n"
     ("program", "overrides", "level"),
     [
         (BEGIN + LOOP + '    print("x" * 2500)\n', (), "warning"),
-        (BEGIN + LOOP + '    print("x" * 4500)\n', (), "failure"),
+        (BEGIN + LOOP + '    print("x" * 4500)\n', (), "error"),
         (BEGIN + LOOP + '    print("x" * 500)\n', (), None),
         (BEGIN + LOOP + '    print("x" * 4500)\n', ("match.half_s=60",), None),
         (BEGIN + 'print("x" * 3_000_000)\n' + LOOP + '    print("ordinary", robot.getTime())\n', (), None),
@@ -38,4 +38,4 @@ def test_program_that_would_print_too_much_in_a_half_is_reported(tmp_path, progr
     report = check_file(path, alone(*overrides), CheckOptions(play_s=4.2))
     found = [finding for finding in report.stages[5].findings if finding.code == "play.prints_much"]
     assert [(one.level, one.where) for one in found] == ([] if level is None else [(level, "B1")])
-    assert (report.level == "failure") == (level == "failure")
+    assert (report.level == "error") == (level == "error")

@@ -33,7 +33,7 @@ def layout(path, scenario=MATCH):
 
 def test_programs_for_a_shipped_challenge_get_its_name_before_any_renaming(submission):
     (found,) = layout(submission("pass_ball_yellow/pass_ball_yellow.py", "pass_ball_blue/pass_ball_blue.py"))
-    assert (found.code, found.level) == ("layout.missing", "failure")
+    assert (found.code, found.level) == ("layout.missing", "error")
     assert found.help.startswith("it looks like one for pass_the_ball: rcj-challenge check ")
     assert found.help.index("--scenario pass_the_ball") < found.help.index("add or rename")
 

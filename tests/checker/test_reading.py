@@ -130,4 +130,4 @@ def test_a_comment_that_is_not_utf8_is_refused_with_its_line(head: bytes) -> Non
     """Python refuses such a file when it runs it; `compile` passes over comments."""
     error = reader.read_source(head + b"import a\n# f\xfcr\n", "robot.py")["error"]
     assert error["line"] == head.count(b"\n") + 2
-    assert describe_error(Source(wrong=error["kind"], message=error["message"]), b"")[0] == "encoding"
+    assert describe_error(Source(wrong=error["kind"], message=error["message"]), b"")[0] == "sources.encoding"

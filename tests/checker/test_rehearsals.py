@@ -96,7 +96,7 @@ def without(keys, report):
 
 def test_a_program_that_fails_at_its_start_is_reported_with_its_traceback_and_is_not_played(pack):
     report = check_file(pack(BEGIN + "if name[0] == 'Y':\n    [][0]\n" + LOOP), MATCH, SHORT)
-    (found,) = findings(report, "start", "failure")
+    (found,) = findings(report, "start", "error")
     assert (found.code, found.where) == ("start.crash", "Y1, Y2, Y3")
     assert "IndexError" in found.message
     assert f'File "{ENTRY}", line 10' in found.details
@@ -107,7 +107,7 @@ def test_a_program_that_fails_at_its_start_is_reported_with_its_traceback_and_is
 
 def test_a_program_that_never_steps_is_reported(pack):
     slow = alone("limits.start_s=1")
-    (found,) = findings(check_file(pack("while True:\n    pass\n"), slow, SHORT), "start", "failure")
+    (found,) = findings(check_file(pack("while True:\n    pass\n"), slow, SHORT), "start", "error")
     assert (found.code, found.where) == ("start.start_timeout", "B1")
     assert "robot.step" in found.help
 
@@ -124,7 +124,7 @@ def test_a_device_that_no_robot_has_is_reported_with_the_nearest_name(pack):
 def test_a_robot_that_fails_in_play_is_reported_with_side_time_and_traceback(pack):
     program = BEGIN + "while robot.step(32) != -1:\n    if robot.getTime() > 0.5 and name == 'B2':\n        1 / 0\n"
     report = check_file(pack(program), MATCH, SHORT)
-    (found,) = findings(report, "play", "failure")
+    (found,) = findings(report, "play", "error")
     assert (found.code, found.where) == ("play.crash", "B2")
     assert found.message.startswith("as blue, after 0.5 s: ZeroDivisionError")
     assert "line 11" in found.details
@@ -135,7 +135,7 @@ def test_a_robot_that_fails_in_play_is_reported_with_side_time_and_traceback(pac
 def test_a_hang_costs_its_limit_once(pack):
     program = BEGIN + "while robot.step(32) != -1:\n    while robot.getTime() > 0.4:\n        pass\n"
     report = check_file(pack(program), load("match", ["limits.step_s=0.3", *ONE_EACH]), SHORT)
-    failures = findings(report, "play", "failure")
+    failures = findings(report, "play", "error")
     assert [(found.code, found.where) for found in failures] == [
         ("play.step_timeout", "B1"),
         ("play.step_timeout", "Y1"),
@@ -148,7 +148,7 @@ def test_program_that_is_slow_on_every_step_fails(pack):
     slow = alone("limits.step_s=5", "limits.half_s=10")
     work = "    x = 0\n    while x < 120_000:\n        x += 1\n"
     report = check_file(pack(BEGIN + "while robot.step(32) != -1:\n" + work), slow, SHORT)
-    found = findings(report, "play", "failure")
+    found = findings(report, "play", "error")
     assert {finding.code for finding in found} <= {"play.slow", "play.half_timeout"}
     assert {finding.where for finding in found} == {"B1"}
 
@@ -252,7 +252,7 @@ def test_without_play_no_program_is_run(pack):
 )
 def test_challenges_of_one_entrant_are_played_once_with_all_their_robots(scenario, team, robots):
     report = check_file(teams_folder() / team, load(scenario), SHORT)
-    assert report.level != "failure"
+    assert report.level != "error"
     assert [finding.code for finding in findings(report, "play", "warning")].count("play.no_touch") <= (
         team != "slalom"
     )
@@ -280,7 +280,7 @@ def test_where_teams_keep_their_sides_a_program_for_one_of_them_is_enough(pack):
     (match,) = report.matches
     assert (match.seats, [robot.robot for robot in match.robots]) == (["yellow"], ["Y1"])
     assert match.opponents == {"blue": "robots that stand still"}
-    assert report.level != "failure"
+    assert report.level != "error"
 
 
 def test_where_no_sample_team_fits_the_team_plays_against_itself(pack):
@@ -303,13 +303,13 @@ def test_a_fault_of_ours_is_reported_and_is_no_verdict_on_the_team(pack, monkeyp
     monkeypatch.setattr(starting, "check_start", stumble)
     report = check_file(pack(BEGIN + LOOP), MATCH, SHORT)
     (found,) = findings(report, "start")
-    assert (found.code, found.level, report.level) == ("start.stumbled", "unchecked", "unchecked")
+    assert (found.code, found.level, report.level) == ("check.broken", "unchecked", "unchecked")
     assert report.hindrance == found.message
     assert "\x1b" not in found.message
     assert report.stages[-1].skipped.endswith("could not be checked")
     monkeypatch.setattr(check_module, "inspect", stumble)
     report = check_file(pack(BEGIN + LOOP), MATCH, SHORT)
-    assert (report.stages[0].findings[0].code, report.level) == ("archive.stumbled", "unchecked")
+    assert (report.stages[0].findings[0].code, report.level) == ("check.broken", "unchecked")
 
 
 def test_an_interruption_that_a_library_made_an_error_of_ends_the_check(pack, monkeypatch):

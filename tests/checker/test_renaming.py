@@ -100,7 +100,7 @@ def test_the_finding_states_whether_the_renaming_is_possible(tmp_path, files, co
     path = tmp_path / "team.zip"
     path.write_bytes(plain(files | {"team_name.txt": b"Cats"}))
     stage = inspect(path, load("match").scenario).stages[1]
-    assert [(one.code, one.repair) for one in stage.findings if one.level == "failure"] == [(code, repair)]
+    assert [(one.code, one.repair) for one in stage.findings if one.level == "error"] == [(code, repair)]
 
 
 @pytest.mark.nightly

@@ -25,7 +25,7 @@ from tests.hostile.archives.cases import ALL, FINE, built
 from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, below, named, plain
 
 MENDED = [name for name, case in ALL.items() if case.repair]
-BEYOND = [name for name, case in ALL.items() if not case.repair and case.level == "failure"]
+BEYOND = [name for name, case in ALL.items() if not case.repair and case.level == "error"]
 # The standard library gives up on these, or reads fewer entries.
 UNREADABLE_ELSEWHERE = ("name_in_no_encoding", "count_of_entries_is_wrong", "name_with_a_null")
 
@@ -68,8 +68,8 @@ def test_a_mechanical_defect_is_put_right(tmp_path: Path, name: str) -> None:
     data = built(name)
     result, out = repaired(tmp_path, data, case.scenario)
     after = inspect(out, scenario(case.scenario))
-    assert case.code not in codes(after, "passed", "warning", "failure")
-    assert codes(after, "failure") == set()
+    assert case.code not in codes(after, "passed", "warning", "error")
+    assert codes(after, "error") == set()
     assert after.team is not None
     assert result.done
     assert result.left == []
@@ -87,7 +87,7 @@ def test_defects_that_need_a_decision_are_listed(tmp_path: Path, name: str) -> N
     if case.code.startswith("archive."):
         assert result.out is None
     else:
-        assert case.code in codes(inspect(out, scenario(case.scenario)), "failure")
+        assert case.code in codes(inspect(out, scenario(case.scenario)), "error")
 
 
 @pytest.mark.parametrize("name", FINE)
@@ -289,7 +289,7 @@ def test_any_combination_of_defects_is_put_right_once_and_for_all(
     members = with_folders(files) if folders else [Member(name, content) for name, content in files.items()]
     result, out = repaired(tmp_path, pack(members))
     assert programs(contents(out)) == programs(files)
-    assert codes(inspect(out, scenario()), "failure") == set(), (defects, result)
+    assert codes(inspect(out, scenario()), "error") == set(), (defects, result)
     first = out.read_bytes()
     again, out = repaired(tmp_path, first)
     assert again.done == []

@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
-from rcj_challenges.checker.findings import STAGES, Finding, most_serious
+from rcj_challenges.checker.findings import STAGES, most_serious
 from rcj_challenges.checker.report import (
     ROBOT_NUMBERS,
     CheckReport,
@@ -32,6 +32,8 @@ from rcj_challenges.checker.report import (
 )
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_report
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize
 
 PNG = base64.b64decode(
@@ -40,9 +42,15 @@ PNG = base64.b64decode(
 EVIL = sanitize("<script>alert(1)</script>\x1b[2J\u202e\"'&</style>--><img src=x onerror=y>[/bold][red]:smile:")
 
 
-def finding(level="failure", message="it broke", help_="mend it", where="robot.py:3:1", *, repair=False, details=""):
-    return Finding(
-        code="sources.syntax", level=level, message=message, help=help_, where=where, repair=repair, details=details
+def finding(level="error", message="it broke", help_="mend it", where="robot.py:3:1", *, repair=False, details=""):
+    return Diagnostic(
+        code=Code.named("sources.syntax"),
+        level=level,
+        message=message,
+        help=help_,
+        where=where,
+        repair=repair,
+        details=details,
     )
 
 
@@ -122,11 +130,11 @@ def test_every_report_matches_the_schema_and_can_be_read_back():
 
 
 def test_the_exit_code_is_that_of_the_most_serious_verdict():
-    good, warned, bad = (file_report(findings=[finding(level)]) for level in ("passed", "warning", "failure"))
+    good, warned, bad = (file_report(findings=[finding(level)]) for level in ("passed", "warning", "error"))
     assert [report(good).exit_code, report(good, warned).exit_code, report(bad, good).exit_code] == [0, 0, 1]
-    counts = {"files": 4, "passed": 1, "warning": 1, "failure": 2, "unchecked": 0}
+    counts = {"files": 4, "passed": 1, "warning": 1, "error": 2, "unchecked": 0}
     assert report(good, warned, bad, bad).summary.model_dump() == counts
-    assert summary(report(good, bad)) == "2 submissions: 1 ok, 0 warnings, 1 failure"
+    assert summary(report(good, bad)) == "2 submissions: 1 ok, 0 warnings, 1 error"
 
 
 @pytest.mark.parametrize(
@@ -136,11 +144,11 @@ def test_the_exit_code_is_that_of_the_most_serious_verdict():
         ([finding("warning")], "", "It will play, 1 warning."),
         ([finding("warning", repair=True)], "", "It will play, 1 warning; --fix OUT.zip repairs this."),
         ([], "not asked for", "In order as far as it was checked."),
-        ([finding("warning"), finding()], "", "It cannot play like this: 1 failure, 1 warning. First: mend it"),
+        ([finding("warning"), finding()], "", "It cannot play like this: 1 error, 1 warning. First: mend it"),
         (
             [finding(repair=True), finding()],
             "",
-            "It cannot play like this: 2 failures; --fix OUT.zip repairs part of this. First: mend it",
+            "It cannot play like this: 2 errors; --fix OUT.zip repairs part of this. First: mend it",
         ),
     ],
 )
@@ -159,7 +167,7 @@ def test_a_terminal_shows_stages_findings_help_and_details():
     lines = printed(made).splitlines()
     assert lines[0] == "team.zip  Hanse"
     assert "         repaired: took out the extra top folder" in lines
-    assert "failure  sources: the programs are valid Python and can run here" in lines
+    assert "error    sources: the programs are valid Python and can run here" in lines
     assert "         robot.py:3:1: it broke" in lines
     assert "         → mend it" in lines
     assert "             line 3" in lines
@@ -173,8 +181,8 @@ def test_many_submissions_end_with_a_table_and_a_summary():
     table = made[made.index("SoccerSim match") :]
     assert "It will play" not in made  # what is in order is only in the table
     assert re.search(r"good\.zip .* Hanse .* ok", table)
-    assert re.search(r"bad\.zip .* failure .* robot\.py:3:1: it broke", table)
-    assert table.rstrip().endswith("2 submissions: 1 ok, 0 warnings, 1 failure")
+    assert re.search(r"bad\.zip .* error .* robot\.py:3:1: it broke", table)
+    assert table.rstrip().endswith("2 submissions: 1 ok, 0 warnings, 1 error")
 
 
 def test_names_of_strangers_do_no_harm_on_a_terminal():

@@ -18,7 +18,7 @@ def findings(waited_s: float, slowest_s: float = 0.1):
     return _slow(REHEARSAL, match, "blue: ")
 
 
-@pytest.mark.parametrize(("waited_s", "level"), [(0.59, None), (0.61, "warning"), (2.39, "warning"), (2.41, "failure")])
+@pytest.mark.parametrize(("waited_s", "level"), [(0.59, None), (0.61, "warning"), (2.39, "warning"), (2.41, "error")])
 def test_half_of_the_time_of_a_half_is_a_warning_and_twice_that_time_a_failure(waited_s, level):
     assert [(one.code, one.level, one.where) for one in findings(waited_s)] == (
         [] if level is None else [("play.slow", level, "B1")]

@@ -46,7 +46,7 @@ def only(stage):
 def test_a_failure_is_shown_however_many_warnings_there_are(check):
     hidden = [name for name in sorted(sys.stdlib_module_names) if not name.startswith("_")][:60]
     stage = check("import nowhere\n", **{f"{FOLDER}__{name}": "x = 1\n" for name in hidden})
-    assert codes(stage, "failure") == ["missing_module"]
+    assert codes(stage, "error") == ["missing_module"]
     assert len(codes(stage, "warning")) == 40
 
 
@@ -70,7 +70,7 @@ def test_what_is_imported_out_of_a_folder_is_read_too(check, imported):
 
 def test_a_syntax_error_is_reported_with_file_line_and_column(check):
     found = only(check("x = 1\nif x == 2\n    pass\n"))
-    assert (found.code, found.level) == ("sources.syntax", "failure")
+    assert (found.code, found.level) == ("sources.syntax", "error")
     assert found.where == f"{ENTRY}:2:10"
     assert "expected ':'" in found.message
     assert found.help
@@ -96,7 +96,7 @@ WRONG = {
 @pytest.mark.parametrize(("source", "code", "help_"), WRONG.values(), ids=WRONG)
 def test_a_program_that_is_no_python_fails_with_help(check, source, code, help_):
     found = only(check(source))
-    assert (found.code, found.level) == (f"sources.{code}", "failure")
+    assert (found.code, found.level) == (f"sources.{code}", "error")
     assert help_ in found.help
 
 
@@ -129,7 +129,7 @@ def test_a_huge_file_is_not_looked_into(check):
 
 def test_a_module_that_is_nowhere_fails(check):
     found = only(check("x = 1\nimport cv2\n"))
-    assert (found.code, found.level, found.where) == ("sources.missing_module", "failure", f"{ENTRY}:2:1")
+    assert (found.code, found.level, found.where) == ("sources.missing_module", "error", f"{ENTRY}:2:1")
     assert '"cv2"' in found.message
 
 
@@ -146,7 +146,7 @@ def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, b
     (tmp_path / beside).write_text("", encoding="utf-8")
     with open_team(tmp_path / "robot.py", *ENTRANTS) as team:
         found = only(check_sources(team))
-    assert (found.code, found.level) == ("sources.missing_module", "failure")
+    assert (found.code, found.level) == ("sources.missing_module", "error")
     assert found.help == (
         f"{beside.partition('/')[0]} lies beside robot.py, but only that one file was given: "
         "give the folder in which both lie"
@@ -191,7 +191,7 @@ def test_the_layout_of_2021_finds_its_libraries_in_the_folder_above(check):
 def test_a_part_that_is_missing_from_a_folder_fails(check):
     stage = check("import lib.tools\nfrom lib import nothing\nimport robot1.x\n", rcj_soccer_team_blue__lib__other="", rcj_soccer_team_blue__robot1="",
     )  # fmt: skip
-    assert codes(stage, "failure") == ["missing_part"] * 3
+    assert codes(stage, "error") == ["missing_part"] * 3
 
 
 def test_names_taken_from_an_init_file_are_not_looked_for_as_files(check):
@@ -202,7 +202,7 @@ def test_names_taken_from_an_init_file_are_not_looked_for_as_files(check):
 @pytest.mark.parametrize("where", ["rcj_soccer_team_blue__robot1", "rcj_soccer_team_blue__lib__a"])
 def test_dots_that_lead_out_of_packages_fail(check, where):
     stage = check("import robot1, lib.a\n" if "robot1" in where else "import lib.a\n", **{where: "from ... import b\n"})
-    assert "relative_import" in codes(stage, "failure")
+    assert "relative_import" in codes(stage, "error")
 
 
 GUARDED = {
@@ -216,13 +216,13 @@ GUARDED = {
 @pytest.mark.parametrize("program", GUARDED.values(), ids=GUARDED)
 def test_a_missing_module_that_the_program_is_ready_for_is_a_warning(check, program):
     stage = check(program)
-    assert codes(stage) == ["optional_missing_module"]
+    assert codes(stage) == ["missing_module"]
     assert stage.level == "warning"
 
 
 def test_a_try_that_catches_something_else_does_not_help(check):
-    assert codes(check("try:\n    import torch\nexcept OSError:\n    pass\n")) == ["conditional_missing_module"]
-    assert codes(check("try:\n    pass\nexcept ImportError:\n    import torch\n")) == ["conditional_missing_module"]
+    assert codes(check("try:\n    import torch\nexcept OSError:\n    pass\n")) == ["missing_module"]
+    assert codes(check("try:\n    pass\nexcept ImportError:\n    import torch\n")) == ["missing_module"]
 
 
 ONLY_IF_REACHED = {
@@ -241,7 +241,7 @@ ONLY_IF_REACHED = {
 @pytest.mark.parametrize("program", ONLY_IF_REACHED.values(), ids=ONLY_IF_REACHED)
 def test_a_missing_module_that_is_imported_only_if_the_program_comes_there_is_a_warning(check, program):
     found = only(check(program))
-    assert (found.code, found.level) == ("sources.conditional_missing_module", "warning")
+    assert (found.code, found.level) == ("sources.missing_module", "warning")
     assert "only if it is reached" in found.message
 
 
@@ -257,20 +257,20 @@ CERTAIN = {
 
 @pytest.mark.parametrize("program", CERTAIN.values(), ids=CERTAIN)
 def test_a_missing_module_that_is_imported_at_once_fails(check, program):
-    assert codes(check(program), "failure") == ["missing_module"]
+    assert codes(check(program), "error") == ["missing_module"]
 
 
 def test_what_a_file_needs_that_may_never_be_imported_is_a_warning(check):
     stage = check("def show():\n    import screen, broken\n", rcj_soccer_team_blue__screen="import torch\n",
                   rcj_soccer_team_blue__broken="x = (\n")  # fmt: skip
-    assert sorted(codes(stage)) == ["conditional_missing_module", "syntax"]
+    assert sorted(codes(stage)) == ["missing_module", "syntax"]
     assert stage.level == "warning"
     assert any("only running the programs can show" in found.message for found in stage.findings)
 
 
 def test_a_file_that_needs_a_missing_module_may_be_done_without(check):
     stage = check("try:\n    import fast\nexcept ImportError:\n    pass\n", rcj_soccer_team_blue__fast="import torch\n")
-    assert codes(stage) == ["optional_missing_module"]
+    assert codes(stage) == ["missing_module"]
 
 
 def test_a_file_that_is_imported_for_certain_as_well_still_fails(check):
@@ -298,7 +298,7 @@ def test_modules_whose_use_is_refused_are_a_warning(check):
 
 def test_a_part_of_python_that_this_computer_lacks_fails(check):
     absent = "winreg" if sys.platform != "win32" else "pwd"
-    assert codes(check(f"import {absent}\n"), "failure") == ["not_on_this_computer"]
+    assert codes(check(f"import {absent}\n"), "error") == ["not_on_this_computer"]
 
 
 @pytest.mark.parametrize(
@@ -320,16 +320,16 @@ def test_what_is_wrong_in_a_file_that_python_may_never_read_is_no_failure(check)
     stage = check(
         "import types, sys\n", rcj_soccer_team_blue__types="import cv2\n", rcj_soccer_team_blue__sys="import cv2\n"
     )
-    assert codes(stage, "failure") == []
+    assert codes(stage, "error") == []
 
 
 @pytest.mark.parametrize(
     ("program", "level"),
     [
-        ("import plan\n", "failure"),
+        ("import plan\n", "error"),
         ("try:\n    import plan\nexcept SyntaxError:\n    plan = None\n", "warning"),
         ("try:\n    import plan\nexcept Exception:\n    plan = None\n", "warning"),
-        ("try:\n    import plan\nexcept SyntaxError:\n    pass\nimport plan\n", "failure"),
+        ("try:\n    import plan\nexcept SyntaxError:\n    pass\nimport plan\n", "error"),
     ],
 )
 def test_a_broken_file_fails_unless_its_error_may_be_caught(check, program, level):
@@ -368,7 +368,7 @@ def test_strange_names_are_shown_safely(check):
 )
 def test_missing_module_of_a_program_that_makes_modules_itself_is_a_warning(check, trick):
     stage = check(trick + "import werkzeug\n", rcj_soccer_team_blue__tools="x = 1\n")
-    assert codes(stage) == ["conditional_missing_module"]
+    assert codes(stage) == ["missing_module"]
     assert only(stage).level == "warning"
 
 

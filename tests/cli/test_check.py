@@ -88,15 +88,15 @@ def test_json_prints_the_report_and_nothing_else(good, bad, capsys, monkeypatch)
     assert err == ""
     report = json.loads(out)
     jsonschema.validate(report, json.loads(schema_text()))
-    assert [file["level"] for file in report["files"]] == ["passed", "failure"]
-    assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "failure": 1, "unchecked": 0}
+    assert [file["level"] for file in report["files"]] == ["passed", "error"]
+    assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "error": 1, "unchecked": 0}
 
 
 def test_several_submissions_give_a_table_and_a_summary(good, bad, capsys, monkeypatch):
     monkeypatch.setattr(many, "check_many", one_after_the_other)
     assert check(good, bad) == 1
     out, err = capsys.readouterr()
-    assert "2 submissions: 1 ok, 0 warnings, 1 failure" in out
+    assert "2 submissions: 1 ok, 0 warnings, 1 error" in out
     assert "2/2" in err
 
 

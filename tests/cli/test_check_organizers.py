@@ -108,7 +108,7 @@ def test_interruption_reports_what_was_checked_so_far(team, tmp_path, monkeypatc
     assert "interrupted, 1 submission: 1 ok" in (tmp_path / "report.html").read_text("utf-8")
     out = capsys.readouterr().out
     if not as_json:
-        assert "interrupted, 1 submission: 1 ok, 0 warnings, 0 failures, 1 not looked at" in out
+        assert "interrupted, 1 submission: 1 ok, 0 warnings, 0 errors, 1 not looked at" in out
         return
     report = json.loads(out)
     assert (report["interrupted"], report["level"]) == (True, "unchecked")
@@ -159,9 +159,9 @@ def test_ctrl_c_ends_with_130_a_report_in_json_and_no_temporary_folder(team, tmp
     assert process.returncode == 130, err
     report = json.loads(out)  # and nothing else
     jsonschema.validate(report, json.loads(schema_text()))
-    assert [(file["file"], file["level"]) for file in report["files"]] == [("bad.zip", "failure")]
+    assert [(file["file"], file["level"]) for file in report["files"]] == [("bad.zip", "error")]
     assert [other["file"] for other in report["left_out"]] == ["slow_1.zip", "slow_2.zip"]
     page = (tmp_path / "report.html").read_text("utf-8")
-    assert "interrupted, 1 submission: 0 ok, 0 warnings, 1 failure" in page
+    assert "interrupted, 1 submission: 0 ok, 0 warnings, 1 error" in page
     assert "slow_1.zip" in page
     assert list(temporary.iterdir()) == []

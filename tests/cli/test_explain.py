@@ -7,7 +7,7 @@ import typer
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.commands import app
-from rcj_challenges.cli.explain import explain, pages_by_room
+from rcj_challenges.cli.explain import all_codes, explain
 from rcj_challenges.core.diagnostics import DiagnosticError
 
 
@@ -38,7 +38,7 @@ def test_unknown_code_names_the_nearest():
 def test_pages_name_only_commands_that_exist():
     commands = typer.main.get_command(app).commands
     tournament = commands["tournament"].commands
-    pages = [page for of_room in pages_by_room().values() for page in of_room.values()]
+    pages = [code.page for code in all_codes().values()]
     named = {found for page in pages for found in re.findall(r"rcj-challenge ([a-z]\S*) ?(\S*)", page)}
     assert {
         (command, word)

@@ -5,15 +5,17 @@ import json
 import pytest
 
 from rcj_challenges import cli
+from rcj_challenges.cli.codes import BAD_NAME
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile, InMatch
 
 UNKNOWN_ZONE = Diagnostic(
-    "unknown-zone",
+    Code("unknown-zone", "A zone does not exist."),
     "unknown zone 'blue_gaol'",
     "did you mean 'blue_goal'?",
     InFile("fast_shooter.yaml", 41, 18, "rules.goal_in_blue.triggers[0].zone"),
 )
-NO_BALL = Diagnostic("no-ball", "there is no ball")
+NO_BALL = Diagnostic(Code("no-ball", "There is no ball."), "there is no ball")
 
 
 def test_a_diagnostic_is_printed_with_code_place_and_help():
@@ -44,7 +46,7 @@ def test_a_place_is_printed_as_far_as_it_is_known(where, printed):
 
 
 def test_control_characters_of_strangers_are_printed_as_escapes_and_stay_in_the_data():
-    hostile = Diagnostic("bad-name", "name \x1b[2J", where=InFile("a\nb.yaml"))
+    hostile = Diagnostic(BAD_NAME, "name \x1b[2J", where=InFile("a\nb.yaml"))
     assert str(hostile) == "error[bad-name]: name \\x1b[2J\n  --> a\\nb.yaml"
     assert hostile.to_json()["message"] == "name \x1b[2J"
 
@@ -52,7 +54,7 @@ def test_control_characters_of_strangers_are_printed_as_escapes_and_stay_in_the_
 def test_a_diagnostic_is_data_with_the_same_fields():
     data = json.loads(json.dumps(UNKNOWN_ZONE.to_json()))
     assert data == {
-        "severity": "error",
+        "level": "error",
         "code": "unknown-zone",
         "message": "unknown zone 'blue_gaol'",
         "help": "did you mean 'blue_goal'?",
@@ -62,14 +64,16 @@ def test_a_diagnostic_is_data_with_the_same_fields():
             "column": 18,
             "path": "rules.goal_in_blue.triggers[0].zone",
         },
+        "repair": False,
+        "details": "",
     }
-    assert NO_BALL.to_json()["where"] is None
+    assert NO_BALL.to_json()["where"] == ""
 
 
 @pytest.mark.parametrize("code", ["", "Unknown-zone", "unknown_zone", "unknown--zone", "-x", "1x"])
 def test_a_code_of_another_form_is_refused(code):
     with pytest.raises(ValueError, match="not a code"):
-        Diagnostic(code, "something is wrong")
+        Code(code, "A page.")
 
 
 def test_many_diagnostics_are_cut_in_the_text_only():
@@ -80,5 +84,5 @@ def test_many_diagnostics_are_cut_in_the_text_only():
 
 
 def test_the_command_line_prints_all_diagnostics_and_exits_with_2(capsys):
-    assert cli._report_error(DiagnosticError(UNKNOWN_ZONE, NO_BALL), begun=True) == 2
+    assert cli._report_error(DiagnosticError(UNKNOWN_ZONE, NO_BALL), None, begun=True) == 2
     assert capsys.readouterr().err == f"{UNKNOWN_ZONE}\n\n{NO_BALL}\n"

@@ -201,9 +201,9 @@ def test_a_random_point_needs_a_bounded_zone(zone, bounded):
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("field: {corner_cut_m: 0.65}\n", "no-room field.corner_cut_m"),
-        ("field: {goals: {blue_goal: {width_m: 1.19}}}\n", "no-room field.goals.blue_goal.width_m"),
-        ("field: {goals: {blue_goal: {end: negative_y}}}\n", "no-room field.goals.yellow_goal.end"),
+        ("field: {corner_cut_m: 0.65}\n", "does-not-fit field.corner_cut_m"),
+        ("field: {goals: {blue_goal: {width_m: 1.19}}}\n", "does-not-fit field.goals.blue_goal.width_m"),
+        ("field: {goals: {blue_goal: {end: negative_y}}}\n", "does-not-fit field.goals.yellow_goal.end"),
         ("gates: {g: {from_m: [1, 1], to_m: [1, 1]}}\n", "empty-shape gates.g.to_m"),
         ("obstacles: {w: {shape: wall, from_m: [0.5, 0], to_m: [0.5, 0]}}\n", "empty-shape obstacles.w.to_m"),
         (

@@ -61,11 +61,13 @@ def test_warning_has_code_position_message_and_help():
         "help: enter it by {action: set_phase, phase: pause} in a rule that can fire, or by 'next' of a phase that ends"
     )
     assert found.to_json() == {
-        "severity": "warning",
+        "level": "warning",
         "code": "phase-never-entered",
         "message": "phase 'pause' is never entered",
         "help": found.help,
         "where": {"file": "it.yaml", "line": 6, "column": 10, "path": "phases.pause"},
+        "repair": False,
+        "details": "",
     }
 
 

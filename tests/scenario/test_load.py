@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.core.diagnostics import Diagnostic, InFile
+from rcj_challenges.scenario.codes import WRONG_VALUE
 from rcj_challenges.scenario.errors import ScenarioError, nearest
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -42,7 +43,7 @@ def test_the_smallest_scenario():
 
 
 def problem_at(line, column, path=""):
-    return Diagnostic("wrong-value", "m", where=InFile("f", line, column, path))
+    return Diagnostic(WRONG_VALUE, "m", where=InFile("f", line, column, path))
 
 
 def test_problems_come_sorted_by_place_and_once_each():

@@ -6,10 +6,11 @@ import json
 
 import pytest
 
-from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.report import FileReport, StageReport
 from rcj_challenges.cli.tournament import plan
 from rcj_challenges.cli.tournament.status import status
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.tournament import admission, executor
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import MatchJob
@@ -18,8 +19,8 @@ from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home, Silent, l
 
 
 def report(path, level):
-    finding = Finding(
-        code="start.crash", level=level, message="it crashed", help="", where="", repair=False, details=""
+    finding = Diagnostic(
+        code=Code.named("start.crash"), level=level, message="it crashed", help="", where="", repair=False, details=""
     )
     stage = StageReport(name="start", about="", level=level, skipped="", findings=[finding])
     return FileReport(
@@ -53,7 +54,7 @@ class Desk:
     def _check(self, paths, loaded, options, jobs, on_done):
         self.checked += len(paths)
         for number, path in enumerate(paths):
-            on_done(report(path, "failure" if number < self.failing else "passed"))
+            on_done(report(path, "error" if number < self.failing else "passed"))
 
     def __call__(self, command, *arguments):
         """Run a command; returns exit code, output, and what it said on stderr."""

@@ -80,7 +80,7 @@ def test_more_rounds_than_half_the_teams_are_a_warning(tmp_path):
 def test_a_time_that_comes_twice_is_a_warning_that_names_both(tmp_path):
     text = HEAD + TEAMS + "time_zone: Europe/Berlin\nstages: {l: {stage: round_robin, release: 2026-10-25 02:45}}\n"
     (warning,) = loaded(text, tmp_path).warnings
-    assert (warning.code, warning.severity, warning.where.path) == ("ambiguous-time", "warning", "stages.l.release")
+    assert (warning.code, warning.level, warning.where.path) == ("ambiguous-time", "warning", "stages.l.release")
     assert "02:45 CEST (00:45 UTC) and 02:45 CET (01:45 UTC)" in warning.message
     wrong = text.replace("release: ", "groups: 9, release: ")
     with pytest.raises(TournamentFileError) as caught:

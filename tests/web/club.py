@@ -61,12 +61,12 @@ class Club:
 
 def report_of(text: str) -> dict[str, Any]:
     """Return a report whose every text is the same."""
-    finding = {"code": "sources.syntax", "level": "failure", "message": text, "help": text, "where": text,
+    finding = {"code": "sources.syntax", "level": "error", "message": text, "help": text, "where": text,
                "repair": True, "details": text}  # fmt: skip
     robot = {"robot": "Y1", "output": text}
     return {
-        "level": "failure", "cause": text, "team": text, "file": text,
-        "stages": [{"name": "sources", "about": text, "level": "failure", "skipped": "", "findings": [finding]}],
+        "level": "error", "cause": text, "team": text, "file": text,
+        "stages": [{"name": "sources", "about": text, "level": "error", "skipped": "", "findings": [finding]}],
         "matches": [{"robots": [robot]}],
     }  # fmt: skip
 
@@ -86,7 +86,7 @@ def make_submission(config: SiteConfig, team: Any, text: str = "Traceback", **fi
         **{
             "team": team, "season": Season.objects.get(), "sha256": sha256, "size_bytes": len(data), "via": "page",
             "number": Submission.objects.count() + 1, "begun_at": NOW, "received_at": NOW, "state": State.REJECTED,
-            "level": "failure", "report": report_of(text), **fields,
+            "level": "error", "report": report_of(text), **fields,
         }
     )  # fmt: skip
     folder = report_folder(config.folder, made)

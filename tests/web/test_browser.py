@@ -159,7 +159,7 @@ def test_team_hands_in_reads_the_report_repairs_and_plays(visitors: Visitors, co
     team.page.fill("#code", codes["Robo Rangers"].lower())
     team.page.get_by_role("button", name="Enter").click()
     hand_in(team.page, BROKEN)
-    assert team.look().locator(".finding.failure code").inner_text().startswith("robot.py:2:")
+    assert team.look().locator(".finding.error code").inner_text().startswith("robot.py:2:")
     assert team.page.get_by_role("button", name="Repair it").count() == 0
     hand_in(team.page, MISNAMED)
     team.look().get_by_role("button", name="Repair it").click()
@@ -182,7 +182,7 @@ def test_team_hands_in_with_scripts_switched_off(served: Served, browser: Browse
     team.page.fill("#code", codes["Blue Foxes"])
     team.page.get_by_role("button", name="Enter").click()
     hand_in(team.page, BROKEN)  # the page loads itself again
-    assert team.page.locator(".finding.failure code").inner_text().startswith("robot.py:2:")
+    assert team.page.locator(".finding.error code").inner_text().startswith("robot.py:2:")
     hand_in(team.page, MISNAMED)
     team.page.get_by_role("button", name="Repair it").click()
     team.page.locator("text=Repaired:").locator("a").click(timeout=CHECK_MS)

@@ -119,8 +119,8 @@ def spread(served: Served, club: Club, texts: list[str]) -> list[tuple[str, str]
         Job.objects.create(kind="check", key=text[:100] + str(number), state="stuck", team=team, error=text[:400],
                            not_before=NOW, created_at=NOW, progress=text[:40])  # fmt: skip
     files = [
-        FileReport(file=text[:60], level="failure", cause=text, team=text, digest="", repaired=[text], matches=[], wall_s=1,
-                   stages=[{"name": "sources", "about": "x", "level": "failure", "skipped": "",
+        FileReport(file=text[:60], level="error", cause=text, team=text, digest="", repaired=[text], matches=[], wall_s=1,
+                   stages=[{"name": "sources", "about": "x", "level": "error", "skipped": "",
                             "findings": [finding]}])
         for text, finding in zip(texts, stage["findings"], strict=True)
     ]  # fmt: skip

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from rcj_challenges.cli import submit
+from rcj_challenges.cli.codes import SITE_UNREACHABLE
 from rcj_challenges.cli.submit import SubmitError, _Site
 
 
@@ -35,7 +36,7 @@ def test_site_that_is_away_for_a_minute_after_the_receipt_is_waited_for(
 
     def request(*_: Any) -> dict[str, Any]:
         if clock_s[0] < away_s:
-            raise SubmitError("away", "wait", code="site-unreachable")
+            raise SubmitError("away", "wait", code=SITE_UNREACHABLE)
         return {"state": "accepted"}
 
     monkeypatch.setattr(_Site, "_request", request)

@@ -11,6 +11,7 @@ from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.cli.tournament.group import Cascade, Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import score_words, team_words
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.codes import RULING_SCORE, WHICH_DECISION
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.season import SeasonState, Tie
@@ -55,7 +56,7 @@ def decide(
     fits = given in ([], [RulingKind.UNDONE]) if match is None and withdraw is not None else len(given) == 1
     if not fits or (match is None) != (withdraw is not None):
         message = "a decision is about a match: --forfeit TEAM, --replay, --score A:B or --undo; or --withdraw TEAM"
-        raise DiagnosticError(Diagnostic("which-decision", message, "give one of them; MATCH only for the first four"))
+        raise DiagnosticError(Diagnostic(WHICH_DECISION, message, "give one of them; MATCH only for the first four"))
     with opened(file, data, writing=True) as tournament:
         before = tournament.state()
         if withdraw is not None:
@@ -108,5 +109,5 @@ def _scores(text: str | None) -> list[float]:
     except ValueError:
         scores = [-1.0]
     if any(not 0 <= score < float("inf") for score in scores):
-        raise DiagnosticError(Diagnostic("ruling-score", f"not a score: '{text}'", "write it as 2:1"))
+        raise DiagnosticError(Diagnostic(RULING_SCORE, f"not a score: '{text}'", "write it as 2:1"))
     return scores

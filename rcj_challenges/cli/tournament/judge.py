@@ -14,6 +14,7 @@ from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tourna
 from rcj_challenges.cli.tournament.tables import score_words, stage_tables
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.codes import NO_TRAJECTORY
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.jobs import Workplace
@@ -42,7 +43,7 @@ def judge(
         if missing:
             message = f"{counted(len(missing), 'record')} without a trajectory, such as that of {missing[0]}"
             help_ = "play them again with 'tournament rerun FILE', which keeps it"
-            raise DiagnosticError(Diagnostic("no-trajectory", message, help_))
+            raise DiagnosticError(Diagnostic(NO_TRAJECTORY, message, help_))
         rows = tournament.store.jobs()
         judged = {one.id: _judged(one, rows[played[one.id].job_id], place, set_ or []) for one in fixtures}
         changed = [one for one in fixtures if judged[one.id].scores != played[one.id].outcome.scores]

@@ -9,12 +9,14 @@ from typing import Annotated
 import typer
 
 from rcj_challenges.cli.app import WATCH
+from rcj_challenges.cli.codes import BAD_URL
 from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.tournament.codes import SITE_UNWRITABLE
 
 _WEB_ADDRESS = re.compile(r"https?://[\w.-]+(:\d+)?(/\S*)?", re.IGNORECASE)
 _MIN_SEED_LENGTH = 16
@@ -52,7 +54,7 @@ def publish(
     if url and not _WEB_ADDRESS.fullmatch(url):
         help_ = "give the address of the site as browsers know it: https://cup.example"
         message = f"--url {sanitize(url)} does not begin with http:// or https://"
-        raise DiagnosticError(Diagnostic("bad-url", message, help_))
+        raise DiagnosticError(Diagnostic(BAD_URL, message, help_))
     with opened(file, data) as tournament:
         source = site_source(tournament, utc_now(), premiere or [], url)
         target = out if out is not None else tournament.store.place.folder
@@ -66,7 +68,7 @@ def publish(
         except OSError as error:
             message = f"cannot write {sanitize(error.filename or target)}: {format_error(error)}"
             help_ = "make room, give access or choose another folder with --out; the site of before is still there"
-            raise DiagnosticError(Diagnostic("site-unwritable", message, help_)) from error
+            raise DiagnosticError(Diagnostic(SITE_UNWRITABLE, message, help_)) from error
     lines = [
         f"{counted(published.matches, 'match', 'matches')} published, {published.reused} of them as before",
         f"for everyone:  {published.site / 'index.html'}",

@@ -16,6 +16,7 @@ from rcj_challenges.cli.tournament.group import Cascade, Data, File, opened, tou
 from rcj_challenges.cli.tournament.tables import stage_tables
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.codes import SHARED_WITHOUT_CLUSTER, SUBMISSION_FAILS, SUBMISSION_UNCHECKED, UNKNOWN_TEAM
 
 if TYPE_CHECKING:
     from rcj_challenges.cli.tournament.run_lines import RunLines
@@ -111,7 +112,7 @@ def _executor(place: Workplace, cluster: str | None, lanes: int, observer: RunLi
     if cluster is None:
         if shared:
             message = "--shared is about the workers of a cluster"
-            raise DiagnosticError(Diagnostic("shared-without-cluster", message, "give --cluster ADDRESS too"))
+            raise DiagnosticError(Diagnostic(SHARED_WITHOUT_CLUSTER, message, "give --cluster ADDRESS too"))
         return LocalExecutor(place, lanes)
     from rcj_challenges.tournament.cluster import ClusterExecutor
 
@@ -135,7 +136,7 @@ def prepare(
     unknown = set(accepted) - loaded.entries.keys()
     if unknown:
         message = f"there is no team {', '.join(map(repr, sorted(unknown)))}"
-        raise DiagnosticError(Diagnostic("unknown-team", message, f"teams: {', '.join(loaded.entries)}"))
+        raise DiagnosticError(Diagnostic(UNKNOWN_TEAM, message, f"teams: {', '.join(loaded.entries)}"))
     staying = [entry for entry in loaded.entries.values() if not season.teams[entry.id].withdrawn]
     handed = take_submissions(staying, tournament.store)
     tournament.refresh()
@@ -155,7 +156,7 @@ def _diagnostic(failure: Failure) -> Diagnostic:
     team, scenarios = failure.team, listing(failure.scenarios, 3)
     if failure.is_unchecked:
         message = f"the submission of {team} could not be checked ({scenarios})"
-        return Diagnostic("submission-unchecked", message, "run the command again")
+        return Diagnostic(SUBMISSION_UNCHECKED, message, "run the command again")
     message = f"the submission of {team} fails the check: {failure.message} ({scenarios})"
     help_ = f"let the team replace it (its report is {failure.report}); or play it as it is: --accept {team}"
-    return Diagnostic("submission-fails", message, help_)
+    return Diagnostic(SUBMISSION_FAILS, message, help_)

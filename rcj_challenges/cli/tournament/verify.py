@@ -15,6 +15,7 @@ from rcj_challenges.cli.options import AtOnce
 from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
 from rcj_challenges.cli.verify import VerifyLines
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.codes import NOT_PLAYED
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.models import Records
@@ -64,7 +65,7 @@ def recorded_matches(tournament: OpenTournament, matches: Sequence[str], records
     missing = [name for name in matches if name not in played]
     if missing:
         help_ = "'tournament results FILE' lists the matches that were played"
-        raise DiagnosticError(*(Diagnostic("not-played", f"'{name}' has not been played", help_) for name in missing))
+        raise DiagnosticError(*(Diagnostic(NOT_PLAYED, f"'{name}' has not been played", help_) for name in missing))
     found: dict[str, Recorded] = {}
     for name in matches or played:
         row = rows[played[name].job_id]

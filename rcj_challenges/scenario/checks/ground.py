@@ -6,8 +6,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import cos, dist, pi, sin
 
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.geometry.polygons import Point, is_simple, side
 from rcj_challenges.rules.places.uniform_in import UniformIn
+from rcj_challenges.scenario.codes import (
+    DOES_NOT_FIT,
+    EMPTY_SHAPE,
+    MISSING_KEY,
+    OUTSIDE_FIELD,
+    OVERLAPPING_BODIES,
+    UNBOUNDED_ZONE,
+)
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import HalfPlaneZone, PolygonZone, RectZone, Zone
@@ -16,16 +25,16 @@ from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obs
 from rcj_challenges.scenario.positions import floor_parts, start_pose
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import Issue, walk
+from rcj_challenges.scenario.walk import walk
 
 
-def check_ground(scenario: Scenario) -> Iterator[Issue]:
+def check_ground(scenario: Scenario) -> Iterator[Diagnostic]:
     """Yield what cannot be on the floor."""
     yield from _shapes(scenario)
     field = scenario.field
     if 2 * field.corner_cut_m >= min(field.width_m, field.length_m):
         message = f"corners cut by {field.corner_cut_m:g} leave nothing of a wall"
-        yield Issue("no-room", ("field", "corner_cut_m"), message)
+        yield issue(DOES_NOT_FIT, ("field", "corner_cut_m"), message)
         return
     yield from _goals(field)
     yield from _bodies(scenario)
@@ -34,37 +43,37 @@ def check_ground(scenario: Scenario) -> Iterator[Issue]:
 # --- shapes -----------------------------------------------------------------------------------------------------------
 
 
-def _shapes(scenario: Scenario) -> Iterator[Issue]:
+def _shapes(scenario: Scenario) -> Iterator[Diagnostic]:
     for name, zone in scenario.zones.items():
         yield from _zone(zone, ("zones", name))
     for name, gate in scenario.gates.items():
         if gate.from_m == gate.to_m:
-            yield Issue("empty-shape", ("gates", name, "to_m"), "both posts are at one point")
+            yield issue(EMPTY_SHAPE, ("gates", name, "to_m"), "both posts are at one point")
     for name, obstacle in scenario.obstacles.items():
         if _is_a_point(obstacle):
-            yield Issue("empty-shape", ("obstacles", name, "to_m"), "both ends are at one point")
+            yield issue(EMPTY_SHAPE, ("obstacles", name, "to_m"), "both ends are at one point")
     roster = Roster.of(scenario)
     for model, path in walk(scenario):
         for name in roster.expand(model.uniform_in) if isinstance(model, UniformIn) else ():
             if name in scenario.zones and not _is_bounded(scenario.zones[name]):
                 message = f"zone '{name}' has no end in some direction"
-                yield Issue("unbounded-zone", (*path, "uniform_in"), message, "a random point needs a bounded zone")
+                yield issue(UNBOUNDED_ZONE, (*path, "uniform_in"), message, "a random point needs a bounded zone")
 
 
-def _zone(zone: Zone, path: Path) -> Iterator[Issue]:
+def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
     if isinstance(zone, RectZone):
         for axis in "xy":
             low, high = getattr(zone, f"{axis}_min_m"), getattr(zone, f"{axis}_max_m")
             if low is not None and high is not None and low >= high:
                 message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}"
-                yield Issue("empty-shape", (*path, f"{axis}_min_m"), message)
+                yield issue(EMPTY_SHAPE, (*path, f"{axis}_min_m"), message)
         if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
-            yield Issue("missing-key", path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
+            yield issue(MISSING_KEY, path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
     if isinstance(zone, PolygonZone) and not is_simple(zone.points_m):
         message = "the outline crosses or touches itself, or has no area"
-        yield Issue("empty-shape", (*path, "points_m"), message, "give its corners in order")
+        yield issue(EMPTY_SHAPE, (*path, "points_m"), message, "give its corners in order")
     if isinstance(zone, HalfPlaneZone) and zone.normal == (0.0, 0.0):
-        yield Issue("empty-shape", (*path, "normal"), "[0, 0] has no direction", "the normal points into the zone")
+        yield issue(EMPTY_SHAPE, (*path, "normal"), "[0, 0] has no direction", "the normal points into the zone")
 
 
 def _is_a_point(obstacle: Obstacle) -> bool:
@@ -81,16 +90,16 @@ def _is_bounded(zone: Zone) -> bool:
 # --- field and goals --------------------------------------------------------------------------------------------------
 
 
-def _goals(field: FieldModel) -> Iterator[Issue]:
+def _goals(field: FieldModel) -> Iterator[Diagnostic]:
     room = field.width_m - 2 * field.corner_cut_m
     taken: dict[str, str] = {}
     for name, goal in field.goals.items():
         path: Path = ("field", "goals", name)
         if goal.width_m > room + TOUCHING_M:
             message = f"{goal.width_m:g} is wider than the end wall between its corners, {room:g}"
-            yield Issue("no-room", (*path, "width_m"), message)
+            yield issue(DOES_NOT_FIT, (*path, "width_m"), message)
         if goal.end in taken:
-            yield Issue("no-room", (*path, "end"), f"'{taken[goal.end]}' stands at this end already")
+            yield issue(DOES_NOT_FIT, (*path, "end"), f"'{taken[goal.end]}' stands at this end already")
         taken.setdefault(goal.end, name)
 
 
@@ -145,7 +154,7 @@ class Body:
     fixed: bool = False
 
 
-def _bodies(scenario: Scenario) -> Iterator[Issue]:
+def _bodies(scenario: Scenario) -> Iterator[Diagnostic]:
     bodies = [*_movable(scenario), *obstacle_bodies(scenario)]
     floor = Floor(scenario.field)
     for body in bodies:
@@ -156,11 +165,11 @@ def _bodies(scenario: Scenario) -> Iterator[Issue]:
                 f"y {y_0:.3f} to {y_1:.3f}"
             )
             help_ = f"the walls are at x = ±{scenario.field.width_m / 2:g}, y = ±{scenario.field.length_m / 2:g}"
-            yield Issue("outside-field", body.path, message, help_)
+            yield issue(OUTSIDE_FIELD, body.path, message, help_)
     yield from _overlaps(bodies)
 
 
-def _overlaps(bodies: list[Body]) -> Iterator[Issue]:
+def _overlaps(bodies: list[Body]) -> Iterator[Diagnostic]:
     """Yield each body that overlaps others which stand before it in the file."""
     extents = [extent(body.parts) for body in bodies]
     for body, (x_0, x_1, y_0, y_1) in zip(bodies, extents, strict=True):
@@ -175,7 +184,7 @@ def _overlaps(bodies: list[Body]) -> Iterator[Issue]:
             names = listing((f"'{other.name}'" for other in met), 4)
             help_ = "move one of them; what comes there later is put there by a rule"
             message = f"'{body.name}' overlaps {names} at the start"
-            yield Issue("overlapping-bodies", body.path, message, help_, other=met[0].path)
+            yield issue(OVERLAPPING_BODIES, body.path, message, help_, other=met[0].path)
 
 
 def _movable(scenario: Scenario) -> Iterator[Body]:

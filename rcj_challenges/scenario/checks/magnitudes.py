@@ -10,12 +10,14 @@ from functools import cache
 from typing import Any
 
 from rcj_challenges.chassis.base import Chassis
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.fields import LONGEST_S, Strict
+from rcj_challenges.scenario.codes import OUT_OF_RANGE
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import Issue, walk
+from rcj_challenges.scenario.walk import walk
 
 MAX_NOISE_M = 5.0
 """Half of the largest field: from anywhere on it a place may be noised to anywhere else."""
@@ -47,7 +49,7 @@ _BY_NAME: dict[str, _Range] = {
 }
 
 
-def check_magnitudes(scenario: Scenario) -> Iterator[Issue]:
+def check_magnitudes(scenario: Scenario) -> Iterator[Diagnostic]:
     """Yield the lengths, coordinates, angles, durations, noises and masses that are too large or too small."""
     for model, path in walk(scenario):
         for name, key, (least, most, unit) in _bounded(type(model)):
@@ -55,7 +57,7 @@ def check_magnitudes(scenario: Scenario) -> Iterator[Issue]:
             wrong = next(((number, at) for number, at in numbers if not least <= number <= most), None)
             if wrong is not None:  # the first of a point or a list is enough
                 bound = f"at least {least:g}" if wrong[0] < least else f"at most {most:g}"
-                yield Issue("out-of-range", wrong[1], f"{key} must be {bound}{unit}, found {wrong[0]:g}")
+                yield issue(OUT_OF_RANGE, wrong[1], f"{key} must be {bound}{unit}, found {wrong[0]:g}")
 
 
 @cache

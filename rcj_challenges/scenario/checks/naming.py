@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from rcj_challenges.core.colours import CSS_COLOURS, hex_colour
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.core.files import is_device_of_windows
+from rcj_challenges.scenario.codes import GROUP_IN_ITSELF, MIXED_GROUP, NAME_TAKEN, UNKNOWN_NAME, WRONG_VALUE
 from rcj_challenges.scenario.errors import choice_of, did_you_mean
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.roster import ALWAYS, BOUND, Roster, texts
 from rcj_challenges.scenario.tree import Entries, Items, Mark, Path, mark_of, node_at
-from rcj_challenges.scenario.walk import Issue
 
 _SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
 """What a group may gather, and groups: wherever one of them is named, another may be."""
@@ -19,20 +20,20 @@ _FAMILIES = dict.fromkeys(("robot", "ball", "obstacle", "fixed obstacle", "walls
 """Kinds that may share a group; the others keep to themselves."""
 
 
-def check_naming(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iterator[Issue]:
+def check_naming(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iterator[Diagnostic]:
     """Yield what is wrong with the names that a scenario defines."""
     yield from _namespace(root, roster)
     yield from _colours(roster, root)
     for name in roster.names("counters"):
         if name in roster.names("entrants"):
             message = f"'{name}' is an entrant, and its score is read under this name"
-            yield Issue("name-taken", ("counters", name), message, "choose another name", at_key=True)
+            yield issue(NAME_TAKEN, ("counters", name), message, "choose another name", at_key=True)
     if "any" in roster.names("phases"):
-        yield Issue("name-taken", ("phases", "any"), "'any' means all phases", "choose another name", at_key=True)
+        yield issue(NAME_TAKEN, ("phases", "any"), "'any' means all phases", "choose another name", at_key=True)
     yield from _groups(root, roster, removed)
 
 
-def _namespace(root: Entries, roster: Roster) -> Iterator[Issue]:
+def _namespace(root: Entries, roster: Roster) -> Iterator[Diagnostic]:
     seen: dict[str, Path] = {}
     for section in _SECTIONS:
         for name in roster.names(section):
@@ -48,23 +49,23 @@ def _namespace(root: Entries, roster: Roster) -> Iterator[Issue]:
             elif section == "robots" and is_device_of_windows(name):  # each robot has a log of its name
                 message = f"'{name}' is a device on Windows, where no log can have that name"
             if message:
-                yield Issue("name-taken", path, message, "choose another name", at_key=True)
+                yield issue(NAME_TAKEN, path, message, "choose another name", at_key=True)
 
 
-def _colours(roster: Roster, root: Entries) -> Iterator[Issue]:
+def _colours(roster: Roster, root: Entries) -> Iterator[Diagnostic]:
     taken = {name.casefold() for section in _SECTIONS for name in roster.names(section)} | _RESERVED
     for robot in roster.names("robots"):
         path = ("robots", robot, "colour")
         for colour in texts(node_at(root, path)):
             if colour.casefold() in taken:
                 message = f"colour '{colour}' is a name already, and a colour is a group of its robots"
-                yield Issue("name-taken", path, message, "choose another colour")
+                yield issue(NAME_TAKEN, path, message, "choose another colour")
             elif hex_colour(colour) is None:
                 help_ = did_you_mean(colour, CSS_COLOURS) or "write a CSS colour name"
-                yield Issue("wrong-value", path, f"'{colour[:64]}' is not a colour", help_)
+                yield issue(WRONG_VALUE, path, f"'{colour[:64]}' is not a colour", help_)
 
 
-def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iterator[Issue]:
+def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iterator[Diagnostic]:
     known = {**roster.kinds, **roster.groups}
     are_all_known = all(isinstance(root.entries.get(section, root), Entries) for section in _SECTIONS)
     for group in roster.names("groups"):
@@ -76,10 +77,10 @@ def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iter
                 if name not in known:
                     help_ = removal_help(name, _SECTIONS, removed) or choice_of(name, known)
                     if are_all_known:
-                        yield Issue("unknown-name", path, f"unknown name '{name[:64]}'", help_)
+                        yield issue(UNKNOWN_NAME, path, f"unknown name '{name[:64]}'", help_)
                 elif _leads_to(root, roster, name, group):
-                    yield Issue(
-                        "group-in-itself", path, f"'{name}' leads back to '{group}': a group cannot contain itself"
+                    yield issue(
+                        GROUP_IN_ITSELF, path, f"'{name}' leads back to '{group}': a group cannot contain itself"
                     )
                 else:
                     kinds = (roster.kinds[one] for one in roster.expand(name) if one in roster.kinds)
@@ -88,7 +89,7 @@ def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iter
                         if len(families) == 2:
                             (one, first), (other, second) = families.items()
                             message = f"a group holds one kind of thing: '{first}' is a {one}, '{second}' a {other}"
-                            yield Issue("mixed-group", path, message, "make a group for each kind")
+                            yield issue(MIXED_GROUP, path, message, "make a group for each kind")
 
 
 def _leads_to(root: Entries, roster: Roster, name: str, group: str) -> bool:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
-from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic, InTree
 from rcj_challenges.scenario.checks.consistency import check_consistency
 from rcj_challenges.scenario.checks.ground import check_ground
 from rcj_challenges.scenario.checks.magnitudes import check_magnitudes
@@ -18,14 +19,12 @@ from rcj_challenges.scenario.tree import (
     Entries,
     Leaf,
     Mark,
-    Node,
     Path,
     format_path,
     mark_of,
     node_at,
     note_at,
 )
-from rcj_challenges.scenario.walk import Issue
 
 
 def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]) -> list[Diagnostic]:
@@ -42,7 +41,7 @@ def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]
                 is_length_set=_is_set(tree, "half_s") and mark_of(tree, ("match", "half_s")).file != RESOLVED,
             ),
         )
-    return [_located(issue, tree) for issue in issues if not _may_follow_from_unknown(node_at(tree, issue.path))]
+    return [located(one, tree) for one in issues if not _may_follow_from_unknown(one, tree)]
 
 
 def _is_set(tree: Entries, key: str) -> bool:
@@ -56,15 +55,20 @@ def _is_set(tree: Entries, key: str) -> bool:
     return any(mark.file.startswith(("--set", RESOLVED)) for mark in marks)
 
 
-def _located(issue: Issue, tree: Entries) -> Diagnostic:
-    path, at_key = issue.path, issue.at_key
-    if issue.other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, issue.other).file:
-        path, at_key = issue.other, False
-    message = issue.message + note_at(tree, path)
-    return mark_of(tree, path, at_key=at_key).error(issue.code, message, issue.help, format_path(tree, path))
+def located(issue: Diagnostic, tree: Entries) -> Diagnostic:
+    """Return an issue with its place in the file."""
+    place = issue.where
+    if not isinstance(place, InTree):
+        return issue
+    path, at_key = place.keys, place.at_key
+    if place.other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, place.other).file:
+        path, at_key = place.other, False
+    where = mark_of(tree, path, at_key=at_key).place(format_path(tree, path))
+    return replace(issue, message=issue.message + note_at(tree, path), where=where)
 
 
-def _may_follow_from_unknown(node: Node | None) -> bool:
+def _may_follow_from_unknown(issue: Diagnostic, tree: Entries) -> bool:
     """Return whether a value in a mapping stands for a param that does not exist, which has been reported."""
+    node = node_at(tree, issue.where.keys) if isinstance(issue.where, InTree) else None
     values = node.entries.values() if isinstance(node, Entries) else ()
     return any(isinstance(one, Leaf) and one.value is None and one.note == "unknown param" for one in values)

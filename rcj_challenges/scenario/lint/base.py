@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, ClassVar, NamedTuple, TypeVar
 
+from rcj_challenges.core.code import Code
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.effects import Effect, Places, PlacesLayout, Removes, SetsPhase
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, Reference, ref_of
@@ -13,7 +16,7 @@ from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.rule_effects import alternatives
 from rcj_challenges.scenario.tree import Entries, Path, node_at
-from rcj_challenges.scenario.walk import Issue, effects_in, walk
+from rcj_challenges.scenario.walk import effects_in, walk
 
 _E = TypeVar("_E", bound=Effect)
 
@@ -119,21 +122,27 @@ def _names(value: Any, reference: Reference) -> Iterator[str]:
 
 
 class LintRule:
-    """A check. Its docstring is the page of its code; ``message`` and ``help`` are filled in where it reports.
+    """A check, ``class X(LintRule, code="…")``. Its docstring is the page of its code.
+
+    ``message`` and ``help`` are filled in where it reports.
 
     Attributes:
         at_key: whether the key is reported, not its value.
     """
 
-    code: ClassVar[str]
+    code: ClassVar[Code]
     message: ClassVar[str]
     help: ClassVar[str]
     at_key: ClassVar[bool] = False
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def __init_subclass__(cls, code: str) -> None:
+        texts = f"warning: {cls.message}\nhelp: {cls.help}".replace("{{", "{").replace("}}", "}")
+        cls.code = Code(code, f"{inspect.getdoc(cls)}\n{texts}", "warning")
+
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         """Yield what is suspicious."""
         raise NotImplementedError
 
-    def at(self, path: Path, *, help: str = "", **values: object) -> Issue:  # noqa: A002 - as it is printed
+    def at(self, path: Path, *, help: str = "", **values: object) -> Diagnostic:  # noqa: A002 - as it is printed
         """Return an issue at a path, with the templates filled in; ``help`` replaces the check's own."""
-        return Issue(self.code, path, self.message.format(**values), (help or self.help).format(**values), self.at_key)
+        return issue(self.code, path, self.message.format(**values), (help or self.help).format(**values), self.at_key)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.errors import did_you_mean, listing
@@ -11,20 +12,19 @@ from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import RankByScore, Rule
 from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import Issue, effects_in, walk
+from rcj_challenges.scenario.walk import effects_in, walk
 
 
-class PhaseNeverEntered(LintRule):
+class PhaseNeverEntered(LintRule, code="phase-never-entered"):
     """A phase that no rule sets and no other phase leads to, or a rule that waits for it."""
 
-    code = "phase-never-entered"
     message = "phase '{phase}' is never entered{where}"
     help = (
         "enter it by {{action: set_phase, phase: {phase}}} in a rule that can fire, or by 'next' of a phase that ends"
     )
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name in ctx.scenario.phases:
             if name not in ctx.reachable_phases:
                 yield self.at(("phases", name), phase=name, where="")
@@ -36,14 +36,13 @@ class PhaseNeverEntered(LintRule):
                     yield self.at(path, phase=first, where=" after the start of a half (half_started)")
 
 
-class RuleNeverFires(LintRule):
+class RuleNeverFires(LintRule, code="rule-never-fires"):
     """A rule that is inactive whenever its trigger comes: its phases are never entered, or are other ones."""
 
-    code = "rule-never-fires"
     message = "{why}"
     help = "write phases: [{phase}], or phases: any"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         first = ctx.scenario.first_phase
         for name, rule in ctx.scenario.rules.items():
             if not ctx.is_reachable(rule):
@@ -61,14 +60,13 @@ class RuleNeverFires(LintRule):
                         yield self.at((*path, "phase"), why=why + listing(rule.phases), phase=phase)
 
 
-class EventNeverEmitted(LintRule):
+class EventNeverEmitted(LintRule, code="event-never-emitted"):
     """A rule or a test waits for an event that no rule emits: mostly a misspelt name."""
 
-    code = "event-never-emitted"
     message = "event '{event}' is never emitted"
     help = "{hint}emit it in a rule that can fire"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         emitted = {effect.event: None for effect, _, _ in ctx.reachable_effects(effects.Emits)}
         awaited: list[tuple[Path, str]] = [
             (("rules", name, "triggers", index, "event"), moment.event)
@@ -86,14 +84,13 @@ class EventNeverEmitted(LintRule):
                 yield self.at(path, event=event, hint=f"{hint} Otherwise, " if hint else "correct its name, or ")
 
 
-class MissingSays(LintRule):
+class MissingSays(LintRule, code="missing-says"):
     """A rule that scores or emits an event without ``says``: sheet, log and replay cannot give a reason."""
 
-    code = "missing-says"
     message = "{what} comes without a sentence"
     help = "add says: to the rule; players read it in the sheet and in the replay"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
             found = [(path, f"event '{one.event}'") for one, path in effects_in(name, rule, effects.Emits)]
             found += [(path, "a change of the score") for _, path in effects_in(name, rule, effects.Scores)]
@@ -102,14 +99,13 @@ class MissingSays(LintRule):
                 yield self.at(path, what=what)
 
 
-class ScoresOnce(LintRule):
+class ScoresOnce(LintRule, code="scores-once"):
     """Points for what enters, leaves or crosses, by a rule that fires once a tick, however many do so in it."""
 
-    code = "scores-once"
     message = "if several of '{group}' do this in one tick, the rule gives its points once"
     help = "write for_each: {group} and entity: each"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
             triggers = rule.triggers if rule.for_each is None and rule.effects(effects.Scores) else ()
             for index, moment in enumerate(trigger.moment() for trigger in triggers):
@@ -120,43 +116,40 @@ class ScoresOnce(LintRule):
                     yield self.at(("rules", name, "triggers", index), group=group)
 
 
-class EachOfNone(LintRule):
+class EachOfNone(LintRule, code="each-of-none"):
     """``for_each`` over a group without members, such as ``obstacles`` where there are none."""
 
-    code = "each-of-none"
     message = "'{group}' has no members here: the rule never fires"
     help = "add something to the field that is in it, or remove the rule"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
             if rule.for_each is not None and not ctx.roster.expand(rule.for_each):
                 yield self.at(("rules", name, "for_each"), group=rule.for_each)
 
 
-class EachNeverNamed(LintRule):
+class EachNeverNamed(LintRule, code="each-never-named"):
     """``for_each`` without ``each``: whatever the rule does, it does once for every member at the same time."""
 
-    code = "each-never-named"
     message = "the rule fires {count} times at once, once for each of '{group}', and never names 'each'"
     help = "write entity: each where it looks or acts, or remove for_each"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
             count = len(ctx.roster.expand(rule.for_each)) if rule.for_each is not None else 0
             if count > 1 and not _names_each(rule):
                 yield self.at(("rules", name, "for_each"), group=rule.for_each, count=count)
 
 
-class EachNotInTrigger(LintRule):
+class EachNotInTrigger(LintRule, code="each-not-in-trigger"):
     """A rule for each of a group whose trigger waits for any of that group: it fires for all of them at once."""
 
-    code = "each-not-in-trigger"
     message = "the trigger waits for any of '{group}', and the rule then fires for all {count} of them"
     help = "write {key}: each, so that it fires for that one only; or remove for_each and name the group"
 
     _KEYS = ("entity", "robot", "zone", "gate")
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.reachable_rules():
             each = ctx.members(EACH, rule) if rule.for_each is not None else frozenset()
             if len(each) < 2 or _names_each(rule.conditions) or not _names_each(rule):
@@ -169,19 +162,18 @@ class EachNotInTrigger(LintRule):
                         yield self.at(path, group=rule.for_each, count=len(each), key=key)
 
 
-class EventLoop(LintRule):
+class EventLoop(LintRule, code="event-loop"):
     """Rules that trigger each other through events, without anything that stops them.
 
     An event emitted in one tick is seen in the next. A rule that waits for its own event therefore fires in every tick
     until the half ends.
     """
 
-    code = "event-loop"
     message = "rule '{rule}' triggers itself through events, tick after tick{via}"
     help = "add a condition, cooldown_s or max_executions, or wait for another event"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         rules = {name: rule for name, rule in ctx.reachable_rules() if not _is_limited(rule)}
         triggered = {name: self._listeners(rule, rules, ctx) for name, rule in rules.items()}
         after: dict[str, list[str]] = {}
@@ -209,15 +201,14 @@ class EventLoop(LintRule):
         ]
 
 
-class NoWayToScore(LintRule):
+class NoWayToScore(LintRule, code="no-way-to-score"):
     """The score decides, and no rule that can fire gives points."""
 
-    code = "no-way-to-score"
     message = "no rule that can fire gives points, and the score decides"
     help = "add {{action: score, …}} to a rule, or rank by a counter or a time in result:"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         by_score = isinstance(ctx.scenario.result.rank[0], RankByScore)
         if by_score and not any(ctx.reachable_effects(effects.Scores)):
             yield self.at(("rules",))

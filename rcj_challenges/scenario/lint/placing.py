@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.effects import HalfStart, Places, Removes, SetsPhase
@@ -18,18 +19,17 @@ from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
 from rcj_challenges.scenario.positions import floor_parts, on_floor
 from rcj_challenges.scenario.rule_effects import fixed_spots
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import Issue, effects_in
+from rcj_challenges.scenario.walk import effects_in
 
 
-class OffTheField(LintRule):
+class OffTheField(LintRule, code="off-the-field"):
     """A zone, gate or spot without a point on the field: nothing enters it, crosses it, or can be placed there."""
 
-    code = "off-the-field"
     message = "{noun} '{name}' has no point on the field"
     help = "correct its numbers (in m, from the centre of the field), or remove it"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         parts = floor_parts(ctx.scenario.field)
         corners = [corner for part in parts for corner in part]
         for name, zone in ctx.scenario.zones.items():
@@ -66,29 +66,27 @@ def _are_beside(points: Sequence[Point], floor: Sequence[Point]) -> bool:
     return any(max(mine) < min(its) or min(mine) > max(its) for mine, its in axes)
 
 
-class RobotWithoutProgram(LintRule):
+class RobotWithoutProgram(LintRule, code="robot-without-program"):
     """A robot that no entrant drives and that is not idle: probably a mistake."""
 
-    code = "robot-without-program"
     message = "no entrant drives '{name}', and it is not idle"
     help = "name it under entrants:, write idle: true for an obstacle, or remove it by '{name}: null'"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         driven = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
         for name, robot in ctx.scenario.robots.items():
             if name not in driven and not robot.idle:
                 yield self.at(("robots", name), name=name)
 
 
-class NeverOnTheField(LintRule):
+class NeverOnTheField(LintRule, code="never-on-the-field"):
     """An entity that is removed as a half starts, and that no rule ever places."""
 
-    code = "never-on-the-field"
     message = "'{name}' is removed at the start and no rule ever places it"
     help = "place it in a rule, give for_s, or remove the entity by '{name}: null'"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         placed = {name for one, rule, _ in ctx.reachable_effects(Places) for name in ctx.members(one.names, rule)}
         for layout in ctx.scenario.placements.values():
             placed.update(name for placing in layout for name in ctx.roster.expand(placing.entity))
@@ -98,15 +96,14 @@ class NeverOnTheField(LintRule):
                     yield self.at(path, name=gone)
 
 
-class TwoRulesMoveOneThing(LintRule):
+class TwoRulesMoveOneThing(LintRule, code="two-rules-move-one-thing"):
     """Two rules with the same trigger place or remove the same thing: the one that fires last wins."""
 
-    code = "two-rules-move-one-thing"
     message = "it moves {entities} on the same trigger ({trigger}) as rule '{other}'; the later placement wins"
     help = "give both the same exclusive:, or conditions of which only one can hold"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         movers = [(name, rule, ctx.moved(rule)) for name, rule in ctx.reachable_rules()]
         for (first, one, moved), (second, other, also_moved) in combinations([one for one in movers if one[2]], 2):
             trigger = next((trigger for trigger in one.triggers if trigger in other.triggers), None)
@@ -128,14 +125,13 @@ class TwoRulesMoveOneThing(LintRule):
         return not any(first.is_active_in(phase) and second.is_active_in(phase) for phase in ctx.reachable_phases)
 
 
-class NoRoom(LintRule):
+class NoRoom(LintRule, code="no-room"):
     """A placement for which there is no room: in a wall, or on something that the same layout places earlier."""
 
-    code = "no-room"
     message = "there is no room: '{name}' would stand {where}"
     help = "correct the place"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         groups: list[list[tuple[Places, Path]]] = [
             [one] for name, rule in ctx.scenario.rules.items() for one in effects_in(name, rule, Places)
         ]

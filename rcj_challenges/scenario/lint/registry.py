@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.scenario.checks.run import located
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint import flow, placing, state, values
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.reading.repeated_rules import merged
-from rcj_challenges.scenario.tree import format_path, mark_of, note_at
 
 LINT_RULES: tuple[LintRule, ...] = (
     flow.PhaseNeverEntered(),
@@ -55,12 +53,7 @@ def lint(loaded: Loaded) -> list[Diagnostic]:
     ctx = LintContext(loaded, tree)
     found: list[Diagnostic] = []
     for rule in LINT_RULES:
-        for suspicion in rule.check(ctx):
-            path = suspicion.path
-            mark = mark_of(tree, path, at_key=suspicion.at_key)
-            message = suspicion.message + note_at(tree, path)
-            one = mark.error(suspicion.code, message, suspicion.help, format_path(tree, path))
-            found.append(replace(one, severity="warning"))
+        found += (located(one, tree) for one in rule.check(ctx))
     # What holds for several rules that came from one repeated rule is reported once, of that one.
     return sorted(merged(found, loaded.repeated), key=lambda one: _order(one, tree.mark.file))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import ClassVar
 
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.effects import Holds, Releases
 from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.errors import place_of
@@ -13,20 +14,18 @@ from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.scenario.tree import Leaf, nodes_in
-from rcj_challenges.scenario.walk import Issue
 
 _TESTS = (Expectation, Given, Keyframe)
 
 
-class NeverRead(LintRule):
+class NeverRead(LintRule, code="never-read"):
     """A counter, flag, timer, draw, or spot that rules set, but on which nothing depends."""
 
-    code = "never-read"
     message = "{noun} '{name}' is never read"
     help = "use it in a condition, an action, broadcast: or result:, or remove it"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for section in ("counters", "flags", "timers", "draws"):
             for name in getattr(ctx.scenario, section):
                 if not _is_read(name, section, ctx):
@@ -37,10 +36,9 @@ class NeverRead(LintRule):
                 yield self.at(("spots", name), noun="spot", name=name)
 
 
-class NeverWritten(LintRule):
+class NeverWritten(LintRule, code="never-written"):
     """A counter, flag or timer that rules read but never change or start."""
 
-    code = "never-written"
     message = "{noun} '{name}' is read and never {verb}"
     help = "add {{action: {action}, {noun}: {name}}} to a rule, or remove it"
     at_key = True
@@ -51,7 +49,7 @@ class NeverWritten(LintRule):
         "timers": ("timer", "started"),
     }
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for section, (action, verb) in self._ACTIONS.items():
             for name, entry in getattr(ctx.scenario, section).items():
                 is_written = any(use.reference.is_written for use in _uses_of(name, section, ctx))
@@ -59,10 +57,9 @@ class NeverWritten(LintRule):
                     yield self.at((section, name), noun=section[:-1], name=name, action=action, verb=verb)
 
 
-class NeverUsed(LintRule):
+class NeverUsed(LintRule, code="never-used"):
     """A param, zone, gate, spot, group, sequence or layout of the author's own file that nothing names."""
 
-    code = "never-used"
     message = "{noun} '{name}' is never used"
     help = "name it in a rule, or remove it"
     at_key = True
@@ -77,7 +74,7 @@ class NeverUsed(LintRule):
         "placements": "layout",
     }
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         used = self._used(ctx)
         for section, noun in self._NOUNS.items():
             for name, entry in getattr(ctx.scenario, section).items():
@@ -104,14 +101,13 @@ class NeverUsed(LintRule):
         return used
 
 
-class HeldForever(LintRule):
+class HeldForever(LintRule, code="held-forever"):
     """A rule holds robots without ``for_s``, and no rule releases them."""
 
-    code = "held-forever"
     message = "robots are held without for_s, and no rule releases {robots}"
     help = "give it for_s, or add a rule with {{action: release, entity: …}}"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         left = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
         for effect, rule, _ in ctx.reachable_effects(Releases):
             left -= ctx.members(effect.entity, rule)
@@ -121,14 +117,13 @@ class HeldForever(LintRule):
                 yield self.at(path, robots=", ".join(robots))
 
 
-class InheritedTestLeftOut(LintRule):
+class InheritedTestLeftOut(LintRule, code="inherited-test-left-out"):
     """Inherited tests that do not fit this scenario; they are not run."""
 
-    code = "inherited-test-left-out"
     message = "{count} inherited tests do not fit this scenario and are left out: {names} ({reason})"
     help = "remove each by 'NAME: null' under expect, or all by 'inherited: null', and write tests of your own"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         if ctx.loaded.left_out:
             first = next(iter(ctx.loaded.left_out.values()))
             place = place_of(first)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi, radians
 
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.conditions.distance import Distance
@@ -21,19 +22,17 @@ from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import Issue
 
 
-class LimitTooLong(LintRule):
+class LimitTooLong(LintRule, code="limit-too-long"):
     """A time that is longer than the half, or than the phase in which the rule is active."""
 
-    code = "limit-too-long"
     message = "{seconds:g} s is too long: the {what} is over after {after_s:g} s"
     help = "shorten it, or let the {what} last longer"
 
     _KEYS = ("limit_s", "within_s", "for_s", "at_s", "lasts_s", "cooldown_s")
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         longest_half = longest_half_s(ctx.scenario.match)
         playing_s = longest_half * (MAX_LENGTHS if clock_may_stop(ctx.scenario) else 1)
         for model, path in ctx.models:
@@ -59,16 +58,15 @@ class LimitTooLong(LintRule):
         return None if phase is None else longest_s(phase.lasts_s, ctx.scenario.draws)
 
 
-class AngleInDegrees(LintRule):
+class AngleInDegrees(LintRule, code="angle-in-degrees"):
     """An angle of more than a full turn: angles are in rad."""
 
-    code = "angle-in-degrees"
     message = "{angle:g} rad is more than a full turn, which is {full_turn:.4f}"
     help = "for {angle:g} degrees write {radians:.4f}"
 
     _FULL_TURN_RAD = 6.3  # as authors round it
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for model, path in ctx.models:
             for angle, at in _angles(model, path):
                 if abs(angle) > self._FULL_TURN_RAD:
@@ -87,17 +85,16 @@ def _angles(model: Strict, path: Path) -> Iterator[tuple[float, Path]]:
                 yield yaw_rad, (*path, key, entity, 2)
 
 
-class NeverReached(LintRule):
+class NeverReached(LintRule, code="never-reached"):
     """A distance that is larger than the field, or a speed that nothing here has: lengths are in m, speeds in m/s."""
 
-    code = "never-reached"
     message = "{limit:g} {unit} is never reached: {why}"
     help = "correct it; the unit is {unit}"
 
     _LENGTHS = ("min_clearance_m", "clearance_m", "distance_m")
     _PUSHED = 5  # times as fast as it drives a robot may slide after a hit
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         field = ctx.scenario.field
         depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
         across_m = (field.width_m**2 + (field.length_m + 2 * depth_m) ** 2) ** 0.5
@@ -115,14 +112,13 @@ class NeverReached(LintRule):
                     yield self.at((*path, key), limit=limit, unit=unit, why=why)
 
 
-class ExactMeasurement(LintRule):
+class ExactMeasurement(LintRule, code="exact-measurement"):
     """``equals`` with a speed, a distance or a way: a moving thing passes the value between two ticks."""
 
-    code = "exact-measurement"
     message = "a measured value equals {limit:g} only by chance in a tick"
     help = "write at_least or at_most"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for model, path in ctx.models:
             limit = getattr(model, "equals", None)
             is_measured = isinstance(model, Speed) or (isinstance(model, Distance | WayIs) and limit != 0)
@@ -130,14 +126,13 @@ class ExactMeasurement(LintRule):
                 yield self.at((*path, "equals"), limit=limit)
 
 
-class UnknownPlaceholder(LintRule):
+class UnknownPlaceholder(LintRule, code="unknown-placeholder"):
     """``{…}`` in ``says`` or in the description that is neither a placeholder nor a param: it is printed as it is."""
 
-    code = "unknown-placeholder"
     message = "'{{{blank}}}' is not filled in"
     help = "{known}"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         params = tuple(ctx.scenario.params)
         texts: list[tuple[Path, str, tuple[str, ...]]] = [(("description",), ctx.scenario.description, params)]
         for name, rule in ctx.scenario.rules.items():
@@ -150,14 +145,13 @@ class UnknownPlaceholder(LintRule):
                     yield self.at(path, blank=blank, known=choice_of(blank.strip(), known))
 
 
-class PlaceholderNeverFilled(LintRule):
+class PlaceholderNeverFilled(LintRule, code="placeholder-never-filled"):
     """``{each}``, ``{limit}`` or ``{points}`` in a rule that has no for_each, no limit or no points."""
 
-    code = "placeholder-never-filled"
     message = "'{{{blank}}}' stays empty: {why}"
     help = "write the text itself, or remove it"
 
-    def check(self, ctx: LintContext) -> Iterator[Issue]:
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
             for blank in placeholders_in(rule.says):
                 why = self._why_empty(blank, rule)

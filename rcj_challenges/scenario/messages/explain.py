@@ -12,11 +12,13 @@ from typing import Any
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.triggers import AnyTrigger
+from rcj_challenges.scenario.codes import MISSING_KEY, MISSING_VALUE, UNKNOWN_KEY, UNKNOWN_WORD, WRONG_NAME, WRONG_VALUE
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.messages.synonyms import OTHER_KEYS, OTHER_WORDS
 from rcj_challenges.scenario.messages.wording import NAME_RULE, expected, format_node, is_fixed, quoted, refusal
@@ -168,17 +170,17 @@ class _Explainer:
         above, key = mistake.path[:-1], (mistake.path or ("",))[-1]
         if mistake.of_key:
             message = f"{quoted(str(key))} is not a name"
-            return self._at(mistake.path, "wrong-name", message, f"write {NAME_RULE}", at_key=True)
+            return self._at(mistake.path, WRONG_NAME, message, f"write {NAME_RULE}", at_key=True)
         if mistake.kind in {"missing", "extra_forbidden"} and isinstance(key, int):  # a list of a fixed length
             shape = shape_at(self.shape, self.root, above)
-            return self._at(above, "wrong-value", expected(shape, node_at(self.root, above)))
+            return self._at(above, WRONG_VALUE, expected(shape, node_at(self.root, above)))
         if mistake.kind == "missing":
-            return self._at(above, "missing-key", f"'{key}' is missing", self._about(above, str(key)), at_key=True)
+            return self._at(above, MISSING_KEY, f"'{key}' is missing", self._about(above, str(key)), at_key=True)
         if mistake.kind == "extra_forbidden":
             return self._unknown_key(above, str(key))
         return self._wrong_value(mistake)
 
-    def _at(self, path: Path, code: str, message: str, help_: str = "", *, at_key: bool = False) -> Diagnostic:
+    def _at(self, path: Path, code: Code, message: str, help_: str = "", *, at_key: bool = False) -> Diagnostic:
         message += note_at(self.root, path)
         return mark_of(self.root, path, at_key=at_key).error(code, message, help_, in_names(self.root, path))
 
@@ -205,29 +207,29 @@ class _Explainer:
         help_ = f"did you mean '{near}'? " if near else ""
         mark = mark_of(self.root, (*above, key), at_key=True)
         names = in_names(self.root, above)
-        return mark.error("unknown-key", f"unknown key '{key[:64]}'", help_ + choice_of("", allowed), names)
+        return mark.error(UNKNOWN_KEY, f"unknown key '{key[:64]}'", help_ + choice_of("", allowed), names)
 
     def _wrong_value(self, mistake: _Mistake) -> Diagnostic:
         node = node_at(self.root, mistake.path)
         key = str(mistake.path[-1]) if mistake.path else ""
         if _is_null(node):
-            return self._at(mistake.path, "missing-value", f"'{key}' has no value", "write one, or leave the key out")
+            return self._at(mistake.path, MISSING_VALUE, f"'{key}' has no value", "write one, or leave the key out")
         own_help = self._of_param(node) or self._of_place(mistake.shape, node)
         if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":
             return self._wrong_word(mistake, node, own_help)
         message, help_ = refusal(mistake.kind, mistake.details, mistake.shape, node)
-        return self._at(mistake.path, "wrong-value", message, own_help or help_ or self._about(mistake.path[:-1], key))
+        return self._at(mistake.path, WRONG_VALUE, message, own_help or help_ or self._about(mistake.path[:-1], key))
 
     def _wrong_word(self, mistake: _Mistake, node: Node | None, own_help: str) -> Diagnostic:
         discriminator = bare(mistake.shape).discriminator
         words = list(tags(mistake.shape))
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             help_ = own_help or _with_its_key(mistake.shape, node)
-            return self._at(mistake.path, "wrong-value", expected(mistake.shape, node), help_)
+            return self._at(mistake.path, WRONG_VALUE, expected(mistake.shape, node), help_)
         tag = child(node, discriminator)
         if tag is None:
             help_ = _with_its_key(mistake.shape, node) or choice_of("", words)
-            return self._at(mistake.path, "missing-key", f"'{discriminator}' is missing", help_)
+            return self._at(mistake.path, MISSING_KEY, f"'{discriminator}' is missing", help_)
         written = str(tag.value) if isinstance(tag, Leaf) else format_node(tag)
         help_ = (
             OTHER_WORDS.get((discriminator, written.casefold()))
@@ -236,7 +238,7 @@ class _Explainer:
         )
         mark = mark_of(self.root, (*mistake.path, discriminator))
         message = f"unknown {discriminator} '{written[:64]}'"
-        return mark.error("unknown-word", message, help_, in_names(self.root, mistake.path))
+        return mark.error(UNKNOWN_WORD, message, help_, in_names(self.root, mistake.path))
 
     def _of_param(self, node: Node | None) -> str:
         """Return how a param is used whose name stands alone; empty: it is not the name of one."""

@@ -1,4 +1,4 @@
-"""Finding a scenario by path or by the name of a shipped one."""
+"""Diagnostic a scenario by path or by the name of a shipped one."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from contextlib import suppress
 from pathlib import Path, PureWindowsPath
 from stat import S_ISREG
 
+from rcj_challenges.scenario.codes import AMBIGUOUS_NAME, NO_SUCH_FILE, UNREADABLE_FILE
 from rcj_challenges.scenario.errors import ScenarioError, listing, nearest
 from rcj_challenges.scenario.resources import names_in, own_of_that_name, scenarios_folder, shipped_scenarios
 from rcj_challenges.scenario.tree import Mark
@@ -35,15 +36,15 @@ def find_scenario(source: str | Path) -> Path:
             return shipped[str(source)]
         message = f"a shipped scenario has this name, and {own} lies here"
         help_ = f"write {own} for that, or go to another folder"
-        raise ScenarioError([mark.error("ambiguous-name", message, help_)])
+        raise ScenarioError([mark.error(AMBIGUOUS_NAME, message, help_)])
     if problem:
-        raise ScenarioError([mark.error("unreadable-file", problem, "give a scenario in YAML")])
+        raise ScenarioError([mark.error(UNREADABLE_FILE, problem, "give a scenario in YAML")])
     hint = _nearest_file(path, shipped)
     folders = {kind: listing(names_in(scenarios_folder() / kind)) for kind in ("", "examples", "variants")}
     known = "; ".join(f"{kind} {names}".strip() for kind, names in folders.items())
     message = "no such file, and no shipped scenario of that name"
     help_ = f"did you mean '{hint}'? " if hint else ""
-    raise ScenarioError([mark.error("no-such-file", message, f"{help_}shipped are {known}")])
+    raise ScenarioError([mark.error(NO_SUCH_FILE, message, f"{help_}shipped are {known}")])
 
 
 def _nearest_file(path: Path, shipped: dict[str, Path]) -> str | None:

@@ -13,7 +13,9 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.scenario.codes import MISSING_VALUE, WRONG_NULL
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.reading.inherited_tests import ALL_INHERITED, TESTS
 from rcj_challenges.scenario.shape import (
@@ -102,7 +104,7 @@ class Merger:
         for index, item in enumerate(node.items if isinstance(node, Items) else ()):
             if isinstance(item, Leaf) and item.value is None:
                 message = "an empty list entry" if item.empty else "null has no meaning here"
-                self._add("missing-value", item.mark, (*path, index), message, "write a value, or leave the entry out")
+                self._add(MISSING_VALUE, item.mark, (*path, index), message, "write a value, or leave the entry out")
             elif isinstance(node, Items):
                 node.items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
         return node
@@ -121,7 +123,7 @@ class Merger:
             )
             if key in base.entries and is_named(chosen(shape, base)):
                 help_ = f"write one, or leave the line out; '{key}: null' takes away what the base has"
-            self._add("missing-value", key_mark, here, "an empty value", help_)
+            self._add(MISSING_VALUE, key_mark, here, "an empty value", help_)
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
         elif here == (TESTS, ALL_INHERITED):
             pass  # they are gone already
@@ -131,19 +133,19 @@ class Merger:
                 help_ = "a list is replaced as a whole, write [] for none"
             elif here == (TESTS,):
                 help_ = f"{{{ALL_INHERITED}: null}} removes all tests of the base"
-            self._add("wrong-null", node.mark, here, "null removes named entries of the base only", help_)
+            self._add(WRONG_NULL, node.mark, here, "null removes named entries of the base only", help_)
             base.put(key, node, key_mark)
         elif key not in base.entries:
             help_ = choice_of(key, base.entries) if base.entries else "leave the line out"
             if path[:1] == ("robots",) and path[2:] == ("devices",):
                 help_ = f"a device of the robot's kit is taken away by 'without: [{key}]'"
             help_ = (of_repeated(key, base) if path == ("rules",) else "") or help_
-            self._add("wrong-null", node.mark, here, f"nothing to remove: the base has no '{key}'", help_)
+            self._add(WRONG_NULL, node.mark, here, f"nothing to remove: the base has no '{key}'", help_)
         else:
             base.drop(key)
             self.removed[here] = node.mark
 
-    def _add(self, code: str, mark: Mark, path: Path, message: str, help_: str) -> None:
+    def _add(self, code: Code, mark: Mark, path: Path, message: str, help_: str) -> None:
         self.problems.append(mark.error(code, message, help_, in_names(Entries({}, mark), path)))
 
 

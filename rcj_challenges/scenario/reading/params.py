@@ -13,7 +13,9 @@ from math import isfinite
 from typing import get_origin
 
 from rcj_challenges.core.amounts import plain
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.scenario.codes import UNKNOWN_PARAM, WRONG_OVERRIDE, WRONG_PARAM_USE
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, cut
 from rcj_challenges.scenario.messages.wording import expected, format_node
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -65,7 +67,7 @@ def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> 
 
 
 def _refused(message: str, help_: str = "") -> ScenarioError:
-    return ScenarioError([Mark("").error("wrong-override", message, help_)])
+    return ScenarioError([Mark("").error(WRONG_OVERRIDE, message, help_)])
 
 
 def _steps(text: str, root: Entries) -> list[str]:
@@ -189,14 +191,14 @@ class Resolver:
         if is_of_row and isinstance(value, Items):
             if len(node.entries) > 1:
                 message = f"param '{name}' is {format_node(value)}"
-                self._add("wrong-param-use", path, mark, message, "nothing can stand beside it")
+                self._add(WRONG_PARAM_USE, path, mark, message, "nothing can stand beside it")
                 return unknown
             leaves = (item for item in value.items if isinstance(item, Leaf))
             return Items([Leaf(one.value, mark, note=f"param '{name}'", param=one.param) for one in leaves], mark)
         if not isinstance(value, Leaf) or (self.row is not None and value.value is None):
             # A value that is not a scalar, or that a row lacks, is reported where it is defined.
             if value is None:
-                self._add("unknown-param", path, mark, f"unknown param '{cut(name)}'", self._hint(name))
+                self._add(UNKNOWN_PARAM, path, mark, f"unknown param '{cut(name)}'", self._hint(name))
             return unknown
         factors = self._factors(node, path)
         if factors is None:
@@ -205,12 +207,12 @@ class Resolver:
         formula = "".join(f" {key} {factor}" for key, factor in factors.items())
         if factors and (isinstance(number, str | bool) or number is None):
             message = f"param '{name}' is {format_node(value)}"
-            self._add("wrong-param-use", path, mark, message, "times and plus are for numbers")
+            self._add(WRONG_PARAM_USE, path, mark, message, "times and plus are for numbers")
             return unknown
         if factors and isinstance(number, int | float):
             number = compute(number, factors.get("times", 1), factors.get("plus", 0))
             if number is None:
-                self._add("wrong-param-use", path, mark, f"param '{name}'{formula} is too large a number")
+                self._add(WRONG_PARAM_USE, path, mark, f"param '{name}'{formula} is too large a number")
                 return unknown
         return Leaf(number, mark, note=f"param '{name}'{formula}", param=value.param if is_of_row else name)
 
@@ -223,10 +225,10 @@ class Resolver:
             number = node.value if isinstance(node, Leaf) else ""
             if key not in KEYS:
                 message = f"unknown key '{key[:64]}'"
-                self._add("wrong-param-use", path, use.key_marks[key], message, choice_of(key, KEYS[1:]))
+                self._add(WRONG_PARAM_USE, path, use.key_marks[key], message, choice_of(key, KEYS[1:]))
             elif isinstance(number, str | bool):
                 help_ = "not another param: write a number"
-                self._add("wrong-param-use", (*path, key), node.mark, expected(float, node), help_)
+                self._add(WRONG_PARAM_USE, (*path, key), node.mark, expected(float, node), help_)
             elif number is not None:  # what is left empty, or is null, has been reported already
                 factors[key] = number
         return {key: factors[key] for key in KEYS if key in factors} if len(factors) + 1 == len(use.entries) else None
@@ -239,7 +241,7 @@ class Resolver:
             return f"a formula is written {{param: {word}, times: 2, plus: 1}}"
         return choice_of(name, known, "param")
 
-    def _add(self, code: str, path: Path, mark: Mark, message: str, help_: str = "") -> None:
+    def _add(self, code: Code, path: Path, mark: Mark, message: str, help_: str = "") -> None:
         self.problems.append(mark.error(code, message, help_, in_names(self.root, path)))
 
 

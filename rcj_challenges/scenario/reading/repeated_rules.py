@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.scenario.codes import NAME_TAKEN, SCENARIO_TOO_LARGE, WRONG_REPEAT
 from rcj_challenges.scenario.errors import did_you_mean, listing, place_of
 from rcj_challenges.scenario.messages.wording import NAME_RULE, format_node, quoted
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
@@ -57,7 +58,7 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
         left -= sum(sum(1 for _ in nodes_in(rule)) + _listed_in(row.values, uses) for row in rows)
         if left < 0:
             message = f"too much is repeated: written out it would be more than {_MAX_VALUES} single values"
-            merger.problems.append(rules.key_marks[name].error("scenario-too-large", message, "", f"{RULES}.{name}"))
+            merger.problems.append(rules.key_marks[name].error(SCENARIO_TOO_LARGE, message, "", f"{RULES}.{name}"))
             rows = []
         for row in rows:
             merger.repeated[f"{name}_{row.name}"] = Repeated(name, tuple(row.values))
@@ -170,7 +171,7 @@ class _Reader:
         if THIS in where:
             message = "in a rule with repeat_for 'this' is the name for which it is repeated"
             help_ = "give the param another name"
-            self.problems.append(where[THIS].error("name-taken", message, help_, f"params.{THIS}"))
+            self.problems.append(where[THIS].error(NAME_TAKEN, message, help_, f"params.{THIS}"))
         hidden: set[str] = set()
         for row in rows:
             usual, marks = rows[0].written.entries, row.written.key_marks
@@ -219,7 +220,7 @@ class _Reader:
         return (RULES, self.rule, REPEAT_FOR, *at)
 
     def _add(self, at: Path, mark: Mark, message: str, help_: str = "") -> None:
-        self.problems.append(mark.error("wrong-repeat", message, help_, in_names(self.root, self._path(at))))
+        self.problems.append(mark.error(WRONG_REPEAT, message, help_, in_names(self.root, self._path(at))))
 
 
 def _line(other: Mark, here: Mark) -> str:

@@ -16,7 +16,9 @@ from typing import Any
 
 import yaml
 
+from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.scenario.codes import DUPLICATE_KEY, EMPTY_FILE, INVALID_YAML, NOT_UTF8
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.tree import MAX_VALUES, Entries, Items, Leaf, Mark, Node, check_amount, too_large
 
@@ -73,7 +75,7 @@ def parse_bytes(data: bytes, file: str) -> Node:
         line = before.count(b"\n") + 1
         column = len(before.rpartition(b"\n")[2].decode("utf-8", "replace")) + 1
         message = f"not UTF-8: byte 0x{data[error.start]:02x}"
-        raise ScenarioError([Mark(file, line, column).error("not-utf8", message, "save the file as UTF-8")]) from None
+        raise ScenarioError([Mark(file, line, column).error(NOT_UTF8, message, "save the file as UTF-8")]) from None
     return parse_text(text, file)
 
 
@@ -90,7 +92,7 @@ def parse_text(text: str, file: str) -> Node:
         before = text[: bad.start()].replace("\r\n", "\n").replace("\r", "\n")
         line, column = before.count("\n") + 1, len(before.rpartition("\n")[2]) + 1
         message = f"character U+{ord(bad.group()):04X} is not allowed in YAML"
-        raise ScenarioError([Mark(file, line, column).error("invalid-yaml", message)])
+        raise ScenarioError([Mark(file, line, column).error(INVALID_YAML, message)])
     reader, root = _Reader(text, file), None
     with suppress(_HopelessError):
         try:
@@ -99,11 +101,11 @@ def parse_text(text: str, file: str) -> Node:
             reader.problems.append(_syntax_error(error, file))
         except yaml.YAMLError as error:
             message = f"not valid YAML: {' '.join(str(error).split())}"
-            reader.problems.append(Mark(file, 1, 1).error("invalid-yaml", message))
+            reader.problems.append(Mark(file, 1, 1).error(INVALID_YAML, message))
     if reader.problems:
         raise ScenarioError(reader.problems)
     if root is None:
-        raise ScenarioError([Mark(file, 1, 1).error("empty-file", "the file is empty")])
+        raise ScenarioError([Mark(file, 1, 1).error(EMPTY_FILE, "the file is empty")])
     return root
 
 
@@ -134,8 +136,8 @@ def _syntax_error(error: yaml.MarkedYAMLError, file: str) -> Diagnostic:
     at = Mark(file, mark.line + 1, mark.column + 1) if mark is not None else Mark(file, 1, 1)
     # libyaml reads ahead as far as a key may be long, and from 0.2.6 on it has a limit of its own.
     if "maximum nesting depth" in message:
-        return at.error("invalid-yaml", f"nested deeper than {MAX_DEPTH} levels")
-    return at.error("invalid-yaml", f"not valid YAML: {message}", help_)
+        return at.error(INVALID_YAML, f"nested deeper than {MAX_DEPTH} levels")
+    return at.error(INVALID_YAML, f"not valid YAML: {message}", help_)
 
 
 class _HopelessError(Exception):
@@ -170,7 +172,7 @@ class _Reader:
         start = event.start_mark
         return Mark(self._file, start.line + 1, start.column + 1) if start is not None else Mark(self._file, 1, 1)
 
-    def _refuse(self, mark: Mark, message: str, help_: str = "", code: str = "invalid-yaml") -> None:
+    def _refuse(self, mark: Mark, message: str, help_: str = "", code: Code = INVALID_YAML) -> None:
         self.problems.append(mark.error(code, message, help_))
 
     def _node(self, event: Any, depth: int) -> Node:
@@ -224,7 +226,7 @@ class _Reader:
             return None
         if key in entries.entries:
             line = entries.key_marks[key].line
-            self._refuse(mark, f"key '{key}' is already given in line {line}", "take one out", "duplicate-key")
+            self._refuse(mark, f"key '{key}' is already given in line {line}", "take one out", DUPLICATE_KEY)
             return None
         return key
 

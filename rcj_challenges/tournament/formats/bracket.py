@@ -6,9 +6,11 @@ from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Literal
 
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.fields import described
+from rcj_challenges.tournament.codes import LEGS_AND_BEST_OF
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
-from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize
+from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageSize
 from rcj_challenges.tournament.formats.tie import TieGame
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Row, StageState, Status, Tie
 from rcj_challenges.tournament.seeds import shuffled
@@ -47,10 +49,10 @@ class BracketFormat(MatchFormat):
     def matches_of_tie(self) -> tuple[int, int]:
         return max(self.legs, self.best_of // 2 + 1), max(self.legs, self.best_of)
 
-    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[Diagnostic]:
         if self.legs > 1 and self.best_of > 1:
             message = "'legs' adds scores up, 'best_of' counts wins"
-            yield StageProblem(("best_of",), "legs-and-best-of", message, "keep one of them")
+            yield issue(LEGS_AND_BEST_OF, ("best_of",), message, "keep one of them")
 
     def waiting(self, context: StageContext, entrants: Sequence[Entrant], matches: int) -> StageState:
         return self.state(context, entrants)

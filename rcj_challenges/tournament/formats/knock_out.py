@@ -3,9 +3,11 @@
 from collections.abc import Iterator
 from typing import Literal
 
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.fields import described
+from rcj_challenges.tournament.codes import TOO_FEW_TEAMS
 from rcj_challenges.tournament.formats.bracket import Bracket, BracketFormat, first_round, loser, round_count, winner
-from rcj_challenges.tournament.formats.stage import Intake, StageProblem, StageSize
+from rcj_challenges.tournament.formats.stage import Intake, StageSize
 
 _NAMES = {1: "final", 2: "semi_finals", 4: "quarter_finals"}
 
@@ -22,11 +24,11 @@ class KnockOut(BracketFormat):
         matches = ties * self.matches_of_tie[0]
         return StageSize(intake.teams, {"": intake.teams}, matches, round_count(intake.teams))
 
-    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[Diagnostic]:
         yield from super().problems(intake, size)
         if self.third_place and size.teams < 4:
             message = f"of {size.teams} teams no two lose a semi-final"
-            yield StageProblem(("third_place",), "too-few-teams", message, "remove 'third_place'")
+            yield issue(TOO_FEW_TEAMS, ("third_place",), message, "remove 'third_place'")
 
     def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
         decided = {1, 2, 3} if self.third_place and teams >= 4 else {1, 2}

@@ -7,13 +7,15 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.tournament.codes import LISTED_TEAMS, TOO_FEW_TEAMS
 from rcj_challenges.tournament.drawing import Rounds, add_to_rounds, drawn_before, turn_pairs
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import all_meet, group_names, groups_of, pairings
 from rcj_challenges.tournament.formats.play_off import play_offs
-from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageProblem, StageSize, listed_problems
+from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageSize, listed_problems
 from rcj_challenges.tournament.models import LostBy, TeamId
 from rcj_challenges.tournament.season import Fixture, Ruled, StageState, Table, humanized
 from rcj_challenges.tournament.standings import table
@@ -46,22 +48,22 @@ class RoundRobin(LeagueFormat):
             tables = {name: least + (index < more) for index, name in enumerate(group_names(self.groups))}
         return StageSize(intake.teams, tables, *all_meet(tables, self.legs))
 
-    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[Diagnostic]:
         if not isinstance(self.groups, dict):
             if min(size.tables.values()) < 2:
                 message = f"{size.teams} teams are too few for {self.groups} groups"
-                yield StageProblem(("groups",), "too-few-teams", message, "two teams a group are the least")
+                yield issue(TOO_FEW_TEAMS, ("groups",), message, "two teams a group are the least")
             return
         if self.from_ is not None:
             message = "the teams of the groups are listed, and taken from another stage"
             help_ = "give the number of groups, or remove 'from'"
-            yield StageProblem(("groups",), "listed-teams", message, help_)
+            yield issue(LISTED_TEAMS, ("groups",), message, help_)
             return
         yield from listed_problems("groups", self.groups, intake.present)
         missing = [team for team in intake.present if all(team not in listed for listed in self.groups.values())]
         if missing:
             message = f"in no group: {listing(missing)}"
-            yield StageProblem(("groups",), "listed-teams", message, "put each team into one group")
+            yield issue(LISTED_TEAMS, ("groups",), message, "put each team into one group")
 
     def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
         for _, rounds in draw.values() if self.legs == 1 else ():

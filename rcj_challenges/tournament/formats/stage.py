@@ -7,18 +7,18 @@ from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar
 
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.fields import described
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.tree import Step
+from rcj_challenges.tournament.codes import LISTED_TEAMS, UNKNOWN_TEAM
 from rcj_challenges.tournament.errors import did_you_mean
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.models import ChallengeScenario, FromModel, MatchesModel
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import StageState, Status
-
-Severity = Literal["error", "warning"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,17 +58,6 @@ class Intake:
         return self.scenarios.get(self.names.of_matches(stage))
 
 
-@dataclass(frozen=True, slots=True)
-class StageProblem:
-    """A `Diagnostic` about a stage; its path has the keys within the stage."""
-
-    path: tuple[Step, ...]
-    code: str
-    message: str
-    help: str
-    severity: Severity = "error"
-
-
 class Format(FromModel, ABC):
     """A format: how the teams of a stage play."""
 
@@ -104,7 +93,7 @@ class Format(FromModel, ABC):
     def size(self, intake: Intake) -> StageSize:
         """Return the size of the stage."""
 
-    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[Diagnostic]:
         """Yield what is wrong with the keys for these teams."""
         yield from ()
 
@@ -159,7 +148,7 @@ class LeagueFormat(MatchFormat):
         return frozenset() if self.play_off else cuts
 
 
-def listed_problems(key: str, lists: Mapping[str, tuple[str, ...]], teams: Collection[str]) -> Iterator[StageProblem]:
+def listed_problems(key: str, lists: Mapping[str, tuple[str, ...]], teams: Collection[str]) -> Iterator[Diagnostic]:
     """Yield unknown teams in the lists behind a key, and those that are listed twice."""
     seen: Counter[str] = Counter()
     for name, listed in lists.items():
@@ -168,6 +157,6 @@ def listed_problems(key: str, lists: Mapping[str, tuple[str, ...]], teams: Colle
             path = (key, name, index)
             if team not in teams:
                 help_ = did_you_mean(team, teams, f"Teams: {listing(teams)}")
-                yield StageProblem(path, "unknown-team", f"no team '{team}'", help_)
+                yield issue(UNKNOWN_TEAM, path, f"no team '{team}'", help_)
             elif seen[team] > 1:
-                yield StageProblem(path, "listed-teams", f"team '{team}' is listed twice", "keep it once")
+                yield issue(LISTED_TEAMS, path, f"team '{team}' is listed twice", "keep it once")

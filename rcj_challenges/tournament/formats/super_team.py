@@ -5,10 +5,12 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.tournament.codes import LISTED_TEAMS, TOO_FEW_TEAMS
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import all_meet, pairings
-from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize, listed_problems
+from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageSize, listed_problems
 from rcj_challenges.tournament.models import TeamId
 from rcj_challenges.tournament.scenarios import ScenarioInfo
 from rcj_challenges.tournament.season import Fixture, StageState, humanized
@@ -39,7 +41,7 @@ class SuperTeam(MatchFormat):
             message = f"the sides of scenario '{info.id}' have different numbers of robots"
             yield message, "super teams need sides of the same size"
 
-    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[Diagnostic]:
         info = intake.info(self)
         if info is None:
             return
@@ -47,16 +49,16 @@ class SuperTeam(MatchFormat):
         if self.super_teams is None:
             if size.teams <= side:
                 message = f"{size.teams} teams are too few for two super teams of {side}"
-                yield StageProblem((), "too-few-teams", message, "add teams, or remove the stage")
+                yield issue(TOO_FEW_TEAMS, (), message, "add teams, or remove the stage")
             return
         yield from listed_problems("super_teams", self.super_teams, intake.present)
         if len(self.super_teams) < 2:
             message = "one super team has no opponent"
-            yield StageProblem(("super_teams",), "too-few-teams", message, "list at least two")
+            yield issue(TOO_FEW_TEAMS, ("super_teams",), message, "list at least two")
         for name, listed in self.super_teams.items():
             if len(listed) != side:
                 message = f"super team '{name}' has {len(listed)} teams, a side of '{info.id}' has {side} robots"
-                yield StageProblem(("super_teams", name), "listed-teams", message, "list one team for each robot")
+                yield issue(LISTED_TEAMS, ("super_teams", name), message, "list one team for each robot")
 
     def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
         """Return the state of a stage of super teams. A team that leaves in the middle still lends its program."""

@@ -5,12 +5,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.fields import described
+from rcj_challenges.tournament.codes import REMATCH_POSSIBLE, TOO_MANY_ROUNDS
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import by_pot
 from rcj_challenges.tournament.formats.pairing import Player, pair
 from rcj_challenges.tournament.formats.play_off import play_offs
-from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageProblem, StageSize
+from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageSize
 from rcj_challenges.tournament.models import LostBy
 from rcj_challenges.tournament.season import Fixture, StageState, Table
 from rcj_challenges.tournament.standings import Match, table
@@ -30,16 +32,16 @@ class Swiss(LeagueFormat):
     def size(self, intake: Intake) -> StageSize:
         return StageSize(intake.teams, {"": intake.teams}, self.rounds * (intake.teams // 2), self.rounds)
 
-    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[Diagnostic]:
         most, safe = size.teams - 1, -(-size.teams // 2)
         if self.rounds > most:
             message = f"{self.rounds} rounds are too many for {size.teams} teams"
             help_ = f"at most {most}; all meet in a round_robin"
-            yield StageProblem(("rounds",), "too-many-rounds", message, help_)
+            yield issue(TOO_MANY_ROUNDS, ("rounds",), message, help_)
         elif self.rounds > safe:
             message = f"in {self.rounds} rounds of {size.teams} teams a rematch may be unavoidable"
             help_ = f"up to {safe} rounds need no rematch; all meet in a round_robin"
-            yield StageProblem(("rounds",), "rematch-possible", message, help_, "warning")
+            yield issue(REMATCH_POSSIBLE, ("rounds",), message, help_)
 
     def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
         """Return the state of a Swiss stage: rounds are drawn one by one, as soon as the one before is over."""

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from rcj_challenges import __version__
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.codes import FEWER_MATCHES
 from rcj_challenges.tournament.played import Submission
 from rcj_challenges.tournament.site.matches import publish_match
 from rcj_challenges.tournament.site.model import Season
@@ -68,7 +69,7 @@ def publish(
         if total < tree.folders_before and not may_shrink:
             message = f"the site shows {tree.folders_before} matches, and the new one would show {total}"
             help_ = "'status' shows what counts now; give --fewer to replace the site"
-            raise DiagnosticError(Diagnostic("fewer-matches", message, help_))
+            raise DiagnosticError(Diagnostic(FEWER_MATCHES, message, help_))
         tree.write("style.css", renderer.style)
         for done, match in enumerate(season.released):
             progress(done, total)

@@ -8,6 +8,7 @@ from datetime import datetime, timedelta, tzinfo
 from zoneinfo import ZoneInfo
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.codes import NO_RELEASE, UNKNOWN_STAGE
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.played import Played, read_played
 from rcj_challenges.tournament.release import release_times, round_times
@@ -126,9 +127,9 @@ def _check_premieres(file: Tournament, premieres: Collection[str]) -> None:
     for stage in premieres:
         if stage not in file.stages:
             message = f"there is no stage '{stage}'"
-            problems.append(Diagnostic("unknown-stage", message, f"stages: {', '.join(file.stages)}"))
+            problems.append(Diagnostic(UNKNOWN_STAGE, message, f"stages: {', '.join(file.stages)}"))
         elif file.stages[stage].release is None:
             message = f"the matches of stage '{stage}' cannot have a premiere: no time of release is set"
-            problems.append(Diagnostic("no-release", message, f"set stages.{stage}.release"))
+            problems.append(Diagnostic(NO_RELEASE, message, f"set stages.{stage}.release"))
     if problems:
         raise DiagnosticError(*problems)

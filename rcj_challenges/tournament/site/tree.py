@@ -17,6 +17,7 @@ from typing import Any, Self
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.folder import when_free
+from rcj_challenges.tournament.codes import FOLDER_IN_THE_WAY
 
 _MANIFEST = ".made_from.json"
 
@@ -27,7 +28,7 @@ class ForeignFolderError(DiagnosticError):
     def __init__(self, target: Path) -> None:
         message = f"{sanitize(target)} is in the way: it was not made by 'tournament publish', so it is not replaced"
         super().__init__(
-            Diagnostic("folder-in-the-way", message, "move it elsewhere, or give another folder with --data")
+            Diagnostic(FOLDER_IN_THE_WAY, message, "move it elsewhere, or give another folder with --data")
         )
 
 

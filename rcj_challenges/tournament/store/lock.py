@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.files import try_lock
+from rcj_challenges.tournament.codes import STORE_IN_USE
 
 _LOCK_FILE = "store.lock"
 _MAX_PID_BYTES = 32
@@ -68,4 +69,4 @@ def _in_use(folder: Path, pid: str) -> DiagnosticError:
     process = f" (process {pid})" if pid.isdecimal() else ""
     message = f"another command{process} is writing to the tournament's data in {folder}"
     help_ = "wait until it has ended, or end it; 'status' and 'results' can be used meanwhile"
-    return DiagnosticError(Diagnostic("store-in-use", message, help_))
+    return DiagnosticError(Diagnostic(STORE_IN_USE, message, help_))

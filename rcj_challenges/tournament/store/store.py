@@ -20,6 +20,8 @@ from sqlalchemy.pool import StaticPool
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.folder import utc_now
+from rcj_challenges.tournament import codes
+from rcj_challenges.tournament.codes import STORE_DAMAGED, STORE_UNWRITABLE
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
 from rcj_challenges.tournament.season import Fixture, Outcome
 from rcj_challenges.tournament.store.lock import WriterLock
@@ -149,7 +151,7 @@ class Store:
 
     def failed_submissions(self) -> dict[str, str]:
         """Return the failures in the check of submissions that would play now, by team."""
-        failed = [row for row in self.checks().values() if row.level == "failure"]
+        failed = [row for row in self.checks().values() if row.level == "error"]
         return {
             team: "; ".join(message for _, message in row.findings)
             for (team, _), handed in self.current_submissions().items()
@@ -326,7 +328,7 @@ class Store:
             found = version or "none"
             message = f"the store {self._path} has version {found}; this rcj-challenges reads version {STORE_VERSION}"
             help_ = "use the rcj-challenges that made it, or give another folder with --data"
-            raise DiagnosticError(Diagnostic("store-version", message, help_))
+            raise DiagnosticError(Diagnostic(codes.STORE_VERSION, message, help_))
 
     def _is_new(self) -> bool:
         """Return whether there is nothing in it: no table yet, or empty ones because its making was interrupted."""
@@ -398,10 +400,10 @@ def _forget(connection: sa.Connection, fixtures: Iterable[str]) -> None:
 def _damaged(path: Path, said: str) -> DiagnosticError:
     message = f"the store {path} is damaged: {said}"
     help_ = "put a copy of it back; or move it away: 'run' then plays all matches again, with the same results"
-    return DiagnosticError(Diagnostic("store-damaged", message, help_))
+    return DiagnosticError(Diagnostic(STORE_DAMAGED, message, help_))
 
 
 def _unwritable(path: Path, said: str) -> DiagnosticError:
     message = f"the tournament's data cannot be written: {path}: {said}"
     help_ = "free some space there, or allow writing; then run the command again: it continues where it stopped"
-    return DiagnosticError(Diagnostic("store-unwritable", message, help_))
+    return DiagnosticError(Diagnostic(STORE_UNWRITABLE, message, help_))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from types import ModuleType
 
+from rcj_challenges.core.codes import MISSING_EXTRA
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 ZOOM = 2.0
@@ -22,7 +23,7 @@ _WORD = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20"><text y=
 class PngMissingError(DiagnosticError):
     """The package that renders PNG is not installed."""
 
-    CODE = "missing-extra"
+    CODE = MISSING_EXTRA
 
 
 def png_from_svg(picture: str) -> bytes:
@@ -53,5 +54,5 @@ def _renderer() -> ModuleType:
         import resvg_py  # noqa: PLC0415 - an extra: most people never need it
     except ImportError as error:
         how = 'pip install "rcj-challenges[png]"; SVG needs none: --out field.svg'
-        raise PngMissingError(Diagnostic("missing-extra", "PNG needs an optional package", how)) from error
+        raise PngMissingError(Diagnostic(MISSING_EXTRA, "PNG needs an optional package", how)) from error
     return resvg_py

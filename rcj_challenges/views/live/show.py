@@ -16,6 +16,7 @@ from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.records.logos import LogoError
 from rcj_challenges.records.result import read_result
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.codes import PORT_TAKEN
 from rcj_challenges.views.live.encoder import LiveObserver, live_facts
 from rcj_challenges.views.live.feed import Feed, json_message
 from rcj_challenges.views.live.pace import Pace
@@ -32,7 +33,7 @@ _ACCEPT_EVERY_S = 0.05
 class PortTakenError(DiagnosticError):
     """The port cannot be listened on."""
 
-    CODE = "port-taken"
+    CODE = PORT_TAKEN
 
 
 class LiveShow:
@@ -151,5 +152,5 @@ def _port_error(port: int, error: OSError) -> Diagnostic:
     taken = error.errno == errno.EADDRINUSE
     what = "is in use already" if taken else f"cannot be listened on: {error.strerror}"
     return Diagnostic(
-        "port-taken", f"--live: port {port} {what}", "take another port, or leave it out: a free one is found"
+        PORT_TAKEN, f"--live: port {port} {what}", "take another port, or leave it out: a free one is found"
     )

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.records.codes import AMBIGUOUS_RECORD, NO_RECORD
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, RESULT
 from rcj_challenges.records.recorded_scenario import read_scenario
@@ -38,11 +39,11 @@ def list_runs(out: Path) -> list[RunRow]:
         RecordError: there is no such folder, or none in it.
     """
     if not _is_folder(out):
-        raise RecordError("no-record", f"no folder {sanitize(out)}: no run was recorded there", _RUN)
+        raise RecordError(NO_RECORD, f"no folder {sanitize(out)}: no run was recorded there", _RUN)
     folders = _folders(out)
     if not folders:
         help_ = f"it is a record itself: rcj-challenge view {sanitize(out)}" if _is_record(out) else _RUN
-        raise RecordError("no-record", f"no run was recorded in {sanitize(out)} yet", help_)
+        raise RecordError(NO_RECORD, f"no run was recorded in {sanitize(out)} yet", help_)
     return [_row(folder) for folder in folders]
 
 
@@ -55,7 +56,7 @@ def find_run(run: Path | None, out: Path) -> Path:
     if run is None:
         folders = _folders(out) if _is_folder(out) else []
         if not folders:
-            raise RecordError("no-record", f"no run was recorded in {sanitize(out)} yet", _RUN)
+            raise RecordError(NO_RECORD, f"no run was recorded in {sanitize(out)} yet", _RUN)
         return folders[0]
     # In the folder of a record, the name of another one is no file of this one.
     in_it = [run.parent] if len(run.parts) > 1 or os.path.lexists(run) else []
@@ -67,10 +68,10 @@ def find_run(run: Path | None, out: Path) -> Path:
         return fitting[0]
     if fitting:
         names = ", ".join(sorted(folder.name for folder in fitting)[:5])
-        raise RecordError("ambiguous-record", f"{run.name!r} fits several records", f"give one of {names}")
+        raise RecordError(AMBIGUOUS_RECORD, f"{run.name!r} fits several records", f"give one of {names}")
     help_ = f"give its folder, or its name in {sanitize(out)}"
     what = f": there is no {RESULT} in this folder" if _is_folder(run) else ""
-    raise RecordError("no-record", f"no record '{sanitize(run)}'{what}", help_)
+    raise RecordError(NO_RECORD, f"no record '{sanitize(run)}'{what}", help_)
 
 
 def open_replay(folder: Path) -> tuple[Path, bool]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.views.codes import UNKNOWN_CAMERA
 from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.footage import Footage
@@ -65,7 +66,7 @@ class Camera:
         near = nearest_name(name, cameras)
         guess = "" if near is None else f"did you mean {near!r}? "
         raise VideoError(
-            "unknown-camera", f"--camera {name[:60]!r} is unknown", f"{guess}There are: {', '.join(cameras)}"
+            UNKNOWN_CAMERA, f"--camera {name[:60]!r} is unknown", f"{guess}There are: {', '.join(cameras)}"
         )
 
     def view(self, footage: Footage, moment: Moment, aspect: float) -> View:

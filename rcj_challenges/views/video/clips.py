@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
+from rcj_challenges.views.codes import BAD_TIME, EMPTY_CLIP, NO_HIGHLIGHTS, NO_SUCH_HALF, TIME_NOT_PLAYED
 from rcj_challenges.views.sentences import clock
 from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.footage import Footage, HalfFootage
@@ -46,7 +47,7 @@ def parse_seconds(text: str) -> float:
     match = _TIME.fullmatch(text.strip())
     if match is None or (match[1] is not None and float(match[2]) >= 60):
         raise VideoError(
-            "bad-time",
+            BAD_TIME,
             f"{text[:40]!r} is not a time",
             "write seconds, such as 113.9, or minutes and seconds, such as 1:53.9",
         )
@@ -83,7 +84,7 @@ def clips_between(footage: Footage, from_s: float | None, to_s: float | None, ha
         if time_s > end_s + 1e-9:
             raise _beyond(option, time_s, halves)
     if stop_s - start_s < TICK_S - 1e-9:
-        raise VideoError("empty-clip", f"--from {start_s:g} must be before --to {stop_s:g} by at least {TICK_S} s")
+        raise VideoError(EMPTY_CLIP, f"--from {start_s:g} must be before --to {stop_s:g} by at least {TICK_S} s")
     clips = []
     begin_s = 0.0
     for one in halves:
@@ -111,7 +112,7 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
                 new = replace(new, from_s=found.pop().from_s)
             found.append(new)
     if not found:
-        raise VideoError("no-highlights", "the score does not change in this part of the run", "leave --highlights out")
+        raise VideoError(NO_HIGHLIGHTS, "the score does not change in this part of the run", "leave --highlights out")
     return found
 
 
@@ -137,7 +138,7 @@ def _chosen(footage: Footage, half: int | None) -> list[HalfFootage]:
     found = [one for one in footage.halves if half in (None, one.info.half)]
     if not found:
         halves = " and ".join(str(one.info.half) for one in footage.halves)
-        raise VideoError("no-such-half", f"--half {half}: this run has half {halves}")
+        raise VideoError(NO_SUCH_HALF, f"--half {half}: this run has half {halves}")
     return found
 
 
@@ -145,7 +146,7 @@ def _beyond(option: str, time_s: float, halves: list[HalfFootage]) -> VideoError
     parts = " + ".join(f"{one.length_s:g} s of half {one.info.half}" for one in halves)
     total_s = sum(one.length_s for one in halves)
     return VideoError(
-        "time-not-played",
+        TIME_NOT_PLAYED,
         f"{option} {time_s:g} is after the end of the recording: {parts} ({clock(total_s)})",
         "times count over all halves; with --half N they count from the beginning of that half",
     )

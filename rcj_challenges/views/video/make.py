@@ -12,6 +12,7 @@ from PIL import Image
 
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.folder import replaced
+from rcj_challenges.views.codes import BAD_SIZE
 from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Clip, Moment, frame_count, moments
@@ -39,13 +40,13 @@ def parse_size(text: str, *, even: bool) -> tuple[int, int]:
     match = re.fullmatch(r"(\d{1,6})x(\d{1,6})", name, re.ASCII)
     if match is None:
         known = ", ".join(_NAMED_SIZES)
-        raise VideoError("bad-size", f"--size {text[:40]!r}", f"write WIDTHxHEIGHT, such as 1280x720, or {known}")
+        raise VideoError(BAD_SIZE, f"--size {text[:40]!r}", f"write WIDTHxHEIGHT, such as 1280x720, or {known}")
     size = (int(match[1]), int(match[2]))
     if not all(MIN_PX <= pixels <= MAX_PX for pixels in size):
-        raise VideoError("bad-size", f"--size {text[:40]}: width and height must be {MIN_PX} to {MAX_PX} pixels")
+        raise VideoError(BAD_SIZE, f"--size {text[:40]}: width and height must be {MIN_PX} to {MAX_PX} pixels")
     if even and (size[0] % 2 or size[1] % 2):
         near = f"{size[0] + size[0] % 2}x{size[1] + size[1] % 2}"
-        raise VideoError("bad-size", f"--size {text[:40]}: an MP4 needs an even width and height", f"try {near}")
+        raise VideoError(BAD_SIZE, f"--size {text[:40]}: an MP4 needs an even width and height", f"try {near}")
     return size
 
 

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from rcj_challenges.views.codes import NO_OPENGL
 from rcj_challenges.views.video.errors import VideoError
 
 _OPENING_ERRORS = (ImportError, AttributeError, RuntimeError, OSError)
@@ -30,7 +31,7 @@ def offscreen_opengl() -> Iterator[None]:
     except _OPENING_ERRORS as error:
         install = "apt install libegl1 libgl1-mesa-dri (Debian, Ubuntu)" if on_linux else "install an OpenGL driver"
         raise VideoError(
-            "no-opengl",
+            NO_OPENGL,
             f"MuJoCo cannot draw on this computer: {type(error).__name__}: {error}",
             f"{install}; or watch the match in a browser, which needs no OpenGL: rcj-challenge view RUN",
         ) from error

@@ -8,6 +8,7 @@ from itertools import zip_longest
 
 from pydantic import BaseModel
 
+from rcj_challenges.web.codes import SEEDS_DIFFER, TABLE_DIFFERS
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.ladder.ratings import Rating, Result, fit, standings
 
@@ -116,11 +117,11 @@ def ensure_consistent(results: Results, table: list[Row]) -> None:
     differing = [row.digest[:16] for row, published in zip_longest(table, results.table) if row != published and row]
     if table != results.table:
         message = f"the published table does not follow from the results: {', '.join(differing[:_SHOWN]) or 'its end'}"
-        raise SiteError(message, "ask the organizers for the reason", code="table-differs")
+        raise SiteError(message, "ask the organizers for the reason", code=TABLE_DIFFERS)
     secret = results.secret
     if secret is None:
         return
     wrong = [one.number for one in results.matches if one.seed != seed_of(secret, str(one.number))]
     if secret_hash(secret) != results.secret_hash or wrong:
         message = f"the seeds of matches do not follow from the secret: {', '.join(map(str, wrong[:_SHOWN]))}"
-        raise SiteError(message, "ask the organizers for the reason", code="seeds-differ")
+        raise SiteError(message, "ask the organizers for the reason", code=SEEDS_DIFFER)

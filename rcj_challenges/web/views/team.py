@@ -20,6 +20,7 @@ from django.views.decorators.http import condition, require_GET, require_POST
 from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.blobs import Blobs, report_folder
+from rcj_challenges.web.codes import NO_FILE
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
 from rcj_challenges.web.models import Entry, Job, JobState, Season, State, Submission
@@ -68,7 +69,7 @@ def upload(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     is_script = request.headers.get("Accept") == "application/json"
     try:
         if given is None:
-            raise RefusedError(400, "no-file", gettext("Choose a ZIP first."))
+            raise RefusedError(400, NO_FILE, gettext("Choose a ZIP first."))
         season = ensure_may_upload(viewer.team, Season.objects.filter(is_current=True).first(), begun_at)
         path = Blobs(current_site().folder).incoming / f"form-{secrets.token_hex(8)}"
         digest, size = hashlib.sha256(), 0

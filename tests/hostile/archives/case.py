@@ -22,7 +22,7 @@ class Case:
 
     build: Callable[[], bytes]
     code: str
-    level: Literal["passed", "warning", "failure"] = "failure"
+    level: Literal["passed", "warning", "error"] = "error"
     says: str = ""
     repair: bool = False
     scenario: str = "match"

@@ -204,7 +204,7 @@ IMPORTS: dict[str, Case] = {
     ),
     "an_import_in_the_middle_of_a_program": Case(
         lambda: importing(b"def later():\n    from strategy import attack"),
-        "sources.conditional_missing_module", "warning", says='"strategy"',
+        "sources.missing_module", "warning", says='"strategy"',
     ),  # fmt: skip
     "an_import_of_an_import": Case(
         lambda: sound_with(**{"rcj_soccer_team_blue/utils.py": b"from maths import speed\n"}),
@@ -212,7 +212,7 @@ IMPORTS: dict[str, Case] = {
     ),
     "an_import_that_the_program_can_do_without": Case(
         lambda: importing(b"try:\n    import pandas\nexcept ImportError:\n    pass"),
-        "sources.optional_missing_module", "warning", "has a way out",
+        "sources.missing_module", "warning", "has a way out",
     ),
     "an_import_with_capital_letters": Case(
         lambda: importing(b"import Utils"), "sources.wrong_case", says='called "utils"'
