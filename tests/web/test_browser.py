@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 import shutil
+import time
 import zipfile
 from collections.abc import Iterator
 from importlib.resources import files
@@ -15,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from tests.checker.small_team import PLAYER
-from tests.web.conftest import Served, make_folder, use_site
+from tests.web.conftest import Served, make_folder, make_team, use_site
+from tests.web.handing_in import small_team, wait_for
 from tests.web.visitors import PHONE, Visitor, Visitors
 
 if TYPE_CHECKING:
@@ -37,6 +39,10 @@ def archive(contents: dict[str, str]) -> dict[str, Any]:
     return {"name": "team.zip", "mimeType": "application/zip", "buffer": made.getvalue()}
 
 
+LATE_CRASH = PLAYER.replace("pass", "assert robot.getTime() < 3, 'late'")
+"""Plays the rehearsals to their end, and fails in the longer matches of the ladder."""
+
+
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: pytest.TempPathFactory, migrated: Path) -> Iterator[Served]:
     """A site with short rehearsals, and the link for its first organizer."""
@@ -45,7 +51,7 @@ def served(tmp_path_factory: pytest.TempPathFactory, migrated: Path) -> Iterator
     config = make_folder(tmp_path_factory.mktemp("browser") / "club")
     shutil.copy(migrated, config.folder / "site.sqlite3")
     with use_site(config):
-        Season.objects.create(title="Spring", overrides=["match.half_s=2"])
+        Season.objects.create(title="Spring", overrides=["match.half_s=2"], ladder_overrides=["match.half_s=4"])
     made = Served(config)
     yield made
     made.stop()
@@ -136,7 +142,8 @@ def test_page_without_barriers(visitors: Visitors, codes: dict[str, str], width:
     submission = made["team"].page.url
     for name in ("mentor", "chief"):
         sign_in(made[name].page, name)
-    addresses = {"anonymous": ["/", "/enter", "/login", "/help", "/privacy"], "team": ["/my", submission],
+    addresses = {"anonymous": ["/", "/enter", "/login", "/help", "/privacy", "/ladder", "/teams/1"],
+                 "team": ["/my", "/my/practice", submission],
                  "mentor": ["/group", submission], "chief": ["/desk", "/group"]}  # fmt: skip
     for name, some in addresses.items():
         for address in some:
@@ -226,3 +233,66 @@ def test_form_of_another_site_does_nothing(served: Served, visitors: Visitors, c
     assert re.search("/my$", team.page.url)
     team.page.unroute("http://evil.example/")
     team.complaints.clear()
+
+
+@pytest.fixture(scope="module")
+def ladder(served: Served, tabs: Visitors, codes: dict[str, str]) -> None:
+    """Three other teams, and the ladder begun by the organizer."""
+    organizer = tabs.come()
+    sign_in(organizer.page, "chief")
+    for number in range(3):
+        with use_site(served.config):
+            _, code = make_team(f"Opponent {number}", "School 9")
+        receipt = served.submit(code, small_team(f"# {number}\n{PLAYER}"))[1]
+        assert wait_for(served, code, receipt["id"])["state"] == "accepted"
+    organizer.page.goto("/desk")
+    organizer.look().get_by_role("button", name="Begin the ladder").click()
+    assert organizer.look().get_by_role("button", name="End the ladder").is_visible()
+    assert tabs.leave() == []
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("has_scripts", [True, False])
+def test_team_comes_from_its_card_to_its_rank_and_to_the_moment_of_its_fault(
+    served: Served, browser: Browser, codes: dict[str, str], ladder: None, has_scripts: bool
+) -> None:
+    name = "Robo Rangers" if has_scripts else "Blue Foxes"
+    team = Visitor(browser, served.address, java_script_enabled=has_scripts, viewport=PHONE)
+    page = team.page
+    page.goto("/enter")
+    page.fill("#code", codes[name])
+    page.get_by_role("button", name="Enter").click()
+    hand_in(page, {"robot.py": LATE_CRASH.replace("Robot()", "Robot(") + f"# {name}"})
+    assert page.locator(".finding.failure code").inner_text().startswith("robot.py:")
+    hand_in(page, {"main.py": f"{LATE_CRASH}# {name}"})
+    page.get_by_role("button", name="Repair it").click()
+    page.locator("text=Repaired:").locator("a").click(timeout=CHECK_MS)
+    page.wait_for_selector(".state.accepted", timeout=CHECK_MS)
+    page.goto("/my")
+    page.get_by_role("link", name="My programs in the ladder").click()
+    own = page.url
+    row = page.locator(".ranks tr", has=page.locator(f"a[href='{own.removeprefix(served.address)}']"))
+    until = time.monotonic() + 20 * CHECK_MS / 1000
+    while True:  # the placements
+        page.goto("/ladder")
+        if row.locator("td strong").count():
+            break
+        assert time.monotonic() < until
+        time.sleep(1.0)
+    assert re.fullmatch(r"\d+ \(\d+\u2013\d+\)|\d+", row.locator("td").first.inner_text())
+    assert not has_scripts or barriers(team.look()) == []
+    page.goto(own)
+    page.locator("td a[href^='/matches/']").first.click()
+    fault = page.locator("li", has_text="yours").first
+    assert "crashed" in fault.inner_text()
+    assert not has_scripts or barriers(team.look()) == []
+    log = page.locator("a[href*='/log/']").first.get_attribute("href")
+    if has_scripts:
+        fault.get_by_role("link").click()
+        page.wait_for_selector("body.ready", timeout=CHECK_MS)
+        assert re.search(r"/replay#h[12]t9\d$", page.url)
+        assert "late" in page.inner_text("body")
+    assert log is not None
+    assert "AssertionError: late" in page.request.get(log).text()
+    team.context.close()
+    assert team.complaints == []
