@@ -553,7 +553,7 @@ class Mouse:
     def disable3dPosition(self) -> None:
         """Accepted without effect."""
     def is3dPositionEnabled(self) -> bool:
-        """Return what was set."""
+        """Return the last setting."""
     def getState(self) -> MouseState:
         """Return that nothing is pressed."""
     state: MouseState

@@ -140,7 +140,7 @@ def run(
             motionless = MotionlessObserver(loaded.scenario)
             outcome = play_match(plan, ObserverGroup(observer, motionless, *(() if show is None else (show.observer,))))
             try:
-                report.played(outcome, motionless.robots(), getattr(observer, "trouble", None))
+                report.played(outcome, motionless.robots(), getattr(observer, "problem", None))
             except BaseException as error:
                 if interruption_behind(error) is None:
                     raise

@@ -94,8 +94,8 @@ class MatchReport:
         print_lines(self._console, f"interrupted {where}", f"record: {shown_path(folder)}")
         if result["halves"]:
             print_lines(self._console, f"watch:  rcj-challenge view {shell_quoted(folder)}")
-        if error.trouble:
-            print_lines(self._console, f"the record could not be closed: {error.trouble}")
+        if error.problem:
+            print_lines(self._console, f"the record could not be closed: {error.problem}")
 
     def _print(self, outcome: PlayedMatch, hints: Sequence[dict[str, Any]], *, replay: bool) -> None:
         """Print how it ended, by what, and where the record is."""

@@ -156,7 +156,7 @@ class Sight(Protocol):
         """
 
     def brightness(self, x_m: float, y_m: float) -> float:
-        """Return how bright the floor is at a place, from 0 to 1."""
+        """Return the brightness of the floor at a place, from 0 to 1."""
 
 
 class Joints(Protocol):
@@ -311,7 +311,7 @@ class Device(Word):
         return None
 
     def make_motion(self, _fitted: Fitted, _movers: Movers) -> Motion | None:
-        """Return how it is commanded as a motor; None if it is none."""
+        """Return the motion of a motor; None if it is none."""
         return None
 
     def describe(self, phrases: Phrases) -> str:

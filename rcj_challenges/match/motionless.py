@@ -49,5 +49,5 @@ class MotionlessObserver(Observer):
                 self._standing[robot] = self._standing.get(robot, True) and way_m < _STANDS_M
 
     def robots(self) -> list[str]:
-        """Return the robots that did not move in any half that was long enough to tell."""
+        """Return the robots that did not move in any half that was long enough."""
         return [robot for robot, stands in self._standing.items() if stands]

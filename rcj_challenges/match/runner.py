@@ -86,13 +86,13 @@ class PlayedMatch:
 class MatchInterruptedError(KeyboardInterrupt):
     """Ctrl-C during a match, or while its end was shown. Its record is closed and contains everything that was played.
 
-    ``trouble``: why the record could not be closed properly; empty if it was.
+    ``problem``: why the record could not be closed properly; empty if it was.
     """
 
-    def __init__(self, played: PlayedMatch, trouble: str) -> None:
+    def __init__(self, played: PlayedMatch, problem: str) -> None:
         super().__init__(f"the record so far is in {played.folder}")
         self.played = played
-        self.trouble = trouble
+        self.problem = problem
 
 
 def play_match(plan: MatchPlan, observer: Observer | None = None) -> PlayedMatch:
@@ -150,10 +150,10 @@ class _MatchRunner:
                 record.finish({"ranking": self._carry_over.ranking()} | self._times())
             except BaseException as error:
                 stopped_by = interruption_behind(error) or error
-                trouble = self._break_off(record, stopped_by)
+                problem = self._break_off(record, stopped_by)
                 self._observer.finished(record.result)
                 if isinstance(stopped_by, KeyboardInterrupt):
-                    raise MatchInterruptedError(PlayedMatch(record.folder, record.result), trouble) from error
+                    raise MatchInterruptedError(PlayedMatch(record.folder, record.result), problem) from error
                 raise
         played = PlayedMatch(record.folder, record.result, self._notes)
         try:

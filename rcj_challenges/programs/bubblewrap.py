@@ -36,7 +36,7 @@ def _is_installed() -> bool:
 
 @functools.cache
 def failure(python: str, readable: tuple[str, ...]) -> str | None:
-    """Return why the installed bubblewrap cannot start this Python; None if it can, or is not installed.
+    """Return the reason why the installed bubblewrap cannot start this Python; None if it can, or is not installed.
 
     It needs user name spaces, or root; and it hangs if this process ignores SIGCHLD, because it then does so too.
     """

@@ -47,7 +47,7 @@ class Checks:
     are_teams_known: bool
 
     def problems(self) -> Iterator[Diagnostic]:
-        """Yield what is wrong, and warnings."""
+        """Yield errors and warnings."""
         yield from self._tie_breaks()
         yield from self._same_names()
         yield from self._times()

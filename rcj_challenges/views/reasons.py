@@ -24,7 +24,7 @@ class Reasons:
         return reason or ("" if cause is None else cause.says)
 
     def reason(self, cause: Firing | None) -> str:
-        """Return why a rule fired: ``Y1 made no progress: 0.497 m in 15 s, at least 0.5 m``; or nothing."""
+        """Return the reason of a firing: ``Y1 made no progress: 0.497 m in 15 s, at least 0.5 m``; or nothing."""
         rule = self._rules.get(cause.rule) if cause is not None else None
         if cause is None or rule is None:
             return ""

@@ -116,11 +116,11 @@ def pace(progress: Progress) -> str:
 class PrintedLines(Observer):
     """Shows what programs print whose output is shown, and nothing else.
 
-    On ``trouble``, such as a full disk, nothing more is shown; the match goes on to its end.
+    On a ``problem``, such as a full disk, nothing more is shown; the match goes on to its end.
     """
 
     def __init__(self, console: Console) -> None:
-        self.trouble: OSError | None = None
+        self.problem: OSError | None = None
         self._console = console
 
     def printed(self, robot: str, text: str) -> None:
@@ -128,11 +128,11 @@ class PrintedLines(Observer):
             self._print(f"{robot} | {sanitize(line.expandtabs(4), 2000)}")
 
     def _print(self, line: str) -> None:
-        if self.trouble is None:
+        if self.problem is None:
             try:
                 self._console.print(line, markup=False, highlight=False, soft_wrap=True)
             except OSError as error:
-                self.trouble = error
+                self.problem = error
 
 
 class _Commented(PrintedLines):

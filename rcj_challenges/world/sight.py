@@ -88,7 +88,7 @@ class WorldSight:
         return [one.tobytes() for one in apart]
 
     def brightness(self, x_m: float, y_m: float) -> float:
-        """Return how bright the floor is at a place, from 0 to 1."""
+        """Return the brightness of the floor at a place, from 0 to 1."""
         r, g, b = self.palette[self._floor.colour_at(x_m, y_m)]
         return (0.299 * r + 0.587 * g + 0.114 * b) / 255
 

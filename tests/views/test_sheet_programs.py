@@ -78,5 +78,5 @@ def test_robots_with_an_emitter_can_send_to_the_referee_if_a_rule_listens():
     rule = "rules: {it: {triggers: [{trigger: tells}], actions: [{action: end}], says: Told.}}\n"
     title = "What programs can send to the referee"
     written = section(sheet(rule + "robots: {Y1: {without: [team emitter]}}\n"), title)
-    assert "what B1, B2, B3, Y2 and Y3 send with the team emitter on channel 1: text of up to 200 letters" in written
+    assert "what B1, B2, B3, Y2 and Y3 send with the team emitter on channel 1: text of up to 200 characters" in written
     assert section(sheet(RULE), title) == ""

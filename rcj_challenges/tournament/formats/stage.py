@@ -94,11 +94,11 @@ class Format(FromModel, ABC):
         """Return the size of the stage."""
 
     def problems(self, intake: Intake, size: StageSize) -> Iterator[Diagnostic]:
-        """Yield what is wrong with the keys for these teams."""
+        """Yield the problems of the keys for these teams."""
         yield from ()
 
     def scenario_problems(self, info: ScenarioInfo) -> Iterator[tuple[str, str]]:
-        """Yield why a scenario with the right number of seats cannot be played, and what is needed."""
+        """Yield problems of a scenario with the right number of seats, and help."""
         yield from ()
 
     def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:

@@ -134,7 +134,7 @@ class Store:
             }
 
     def played_rows(self) -> list[tuple[PlayedRow, JobRow]]:
-        """Return what was played, with its job, by fixture."""
+        """Return the played fixtures with their jobs, by fixture."""
         rows = self._rows(PLAYED, PlayedRow, PLAYED.c.fixture)
         jobs = self.jobs()  # after the rows: a run may add more of both meanwhile
         return [(row, jobs[row.job_id]) for row in rows]

@@ -205,7 +205,7 @@ def _half_width_px(number: str) -> float:
 
 
 def _places(marker: _Marker) -> Iterator[Point]:
-    """Yield where a marker may stand, the best place first."""
+    """Yield the possible places of a marker, the best first."""
     (x, y), (dx, dy) = marker.at_px, marker.offset_px
     yield x + dx, y + dy
     for ring_px in _RINGS_PX:

@@ -41,7 +41,7 @@ class Area:
     is_aim: bool = False
 
     def words(self) -> str:
-        """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``, ``rolls towards (0, 0.1)``."""
+        """Return its place: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``, ``rolls towards (0, 0.1)``."""
         noise = f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else ""
         if isinstance(self.at, str):
             axes = " and ".join(f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns)
@@ -63,7 +63,7 @@ def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]
 
 
 def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
-    """Return where robots, balls and movable obstacles are when a half has begun; None where that is not certain.
+    """Return the poses of robots, balls and movable obstacles when a half has begun; None where that is not certain.
 
     Without rules that place them they are at their starts. They also may be there if one of several rules that may
     fire leaves them there.
@@ -81,7 +81,7 @@ def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
 
 
 def _placed(scenario: Scenario, roster: Roster, rule: Rule, before: dict[str, Pose2 | None]) -> dict[str, Pose2 | None]:
-    """Return where a rule puts things; None for what it takes off the field or may put elsewhere."""
+    """Return the poses in which a rule puts things; None for what it takes off the field or may put elsewhere."""
     placed: dict[str, Pose2 | None] = {}
     for effect in rule.all_effects():
         if isinstance(effect, Removes):

@@ -70,7 +70,7 @@ def output_block(half: SensorHalf) -> str:
 
 
 def robot_facts(robot: SensedRobot) -> dict[str, Any]:
-    """Return which columns the page has of a robot, and which device each belongs to."""
+    """Return the columns that the page has of a robot, with the device of each."""
     return {
         "name": robot.name,
         "units": [column.unit for column in columns_of(robot)],

@@ -114,7 +114,7 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
 
 
 def bodies_in(scenario: Scenario, half: int) -> dict[str, dict[str, Any]]:
-    """Return what robots look like in a half, by their numbers as text; empty if that is the same in all halves."""
+    """Return the looks of robots in a half, by their numbers as text; empty if that is the same in all halves."""
     if not any(entrant.kits for entrant in scenario.entrants.values()):
         return {}
     here = in_half(scenario, half)

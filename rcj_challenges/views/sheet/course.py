@@ -25,7 +25,7 @@ def length_words(scenario: Scenario) -> str:
 
 
 def course_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
-    """Yield what happens in a half besides the rules."""
+    """Yield the course of a half besides the rules."""
     yield f"{length_words(scenario)} A half begins in the phase {quoted(scenario.first_phase)}."
     entries = [
         *(_phase_words(phrases, name, phase) for name, phase in scenario.phases.items()),

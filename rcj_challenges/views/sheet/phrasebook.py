@@ -141,7 +141,7 @@ class Phrasebook:
         return not any(member in self.scenario.spots or member in self.scenario.draws for member in members)
 
     def balls_with_infrared(self) -> str:
-        """Return which balls send infra-red: ``the ball``, ``all balls``; empty: none."""
+        """Return the balls that send infra-red: ``the ball``, ``all balls``; empty: none."""
         balls = self.scenario.balls
         sending = [self.thing(name) for name, ball in balls.items() if ball.emits]
         if len(sending) == len(balls) > 1:

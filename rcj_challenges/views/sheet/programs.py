@@ -28,7 +28,7 @@ _FLAG_PACKETS = {
 }
 """The packets that hold nothing but the flag, by the kit's messages."""
 
-_HOW_TO_TELL_APART = {
+_DISTINCTION = {
     # A number of 8 bytes may begin with any of them, also with that of "{"; what it ends with is not a letter.
     False: 'A packet for which packet.endswith(b"}") is true is that object, any other the official one.',
     True: "That with the key “waiting_for_kickoff” is the official packet, the other one is that object.",
@@ -106,7 +106,7 @@ def _broadcast(broadcast: Broadcast, kits: list[Kit], phrases: Phrasebook) -> It
         if fields:
             yield f"Only for {phrases.all_of(name).text}; here a key replaces the same one above:"
             yield _values(fields, phrases)
-    yield from (_HOW_TO_TELL_APART[both] for both in sorted({kit.messages == "v2.2" for kit in kits}))
+    yield from (_DISTINCTION[both] for both in sorted({kit.messages == "v2.2" for kit in kits}))
 
 
 def _values(fields: Mapping[str, Value], phrases: Phrasebook) -> Table:
@@ -141,7 +141,7 @@ def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         senders, where = phrases.all_of(tuple(names)).text, listed([str(channel) for channel in channels], "or")
         yield (
             f"The referee receives what {senders} {'sends' if len(names) == 1 else 'send'} with the team emitter on "
-            f"channel {where}: text of up to {MAX_CHARACTERS} letters, or one or two numbers. In a tick it receives "
+            f"channel {where}: text of up to {MAX_CHARACTERS} characters, or one or two numbers. In a tick it receives "
             "one message of each robot, the tick after it is sent at the earliest; other robots do not receive it. In "
             "Python: "
             f'emitter.setChannel({channels[0]}), emitter.send("…"), then back to the own channel.'

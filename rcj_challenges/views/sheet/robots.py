@@ -78,7 +78,7 @@ def _driver(robot: models.Robot, owner: str | None) -> str:
 
 
 def _start(start: models.StartPose) -> str:
-    """Return where a robot starts: ``(0.3, 0.3), ± 7.5 cm in x, facing 90° clockwise from +x``."""
+    """Return the start of a robot: ``(0.3, 0.3), ± 7.5 cm in x, facing 90° clockwise from +x``."""
     wide = zip("xy", metres_alike(start.noise_m), start.noise_m, strict=True)
     noise = "".join(f", ± {words} in {axis}" for axis, words, wide_m in wide if wide_m)
     return f"{point_words((start.x_m, start.y_m))}{noise}, facing {heading(start.yaw_rad)}"

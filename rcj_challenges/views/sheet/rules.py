@@ -32,7 +32,7 @@ def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
 
 
 def rule_blocks(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Block]:
-    """Yield what some rules do, in sentences, and what holds for all of them."""
+    """Yield the effects of some rules, in sentences, and statements about all of them."""
     yield (
         "On each tick the rules are judged in this order; a name in brackets is the rule's name in the log. Rules that "
         "only count or remember something for others are left out."
@@ -43,7 +43,7 @@ def rule_blocks(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rul
 
 
 def when_words(rule: Rule, phrases: Phrasebook) -> str:
-    """Return when a rule fires: ``When the ball enters the blue goal, provided that …``."""
+    """Return the moment in which a rule fires: ``When the ball enters the blue goal, provided that …``."""
     phrases = phrases.within(rule)
     each = f"For {phrases.each_of(rule.for_each)}, when " if rule.for_each else "When "
     edges = ", or when ".join(trigger.describe(phrases) for trigger in rule.triggers)

@@ -122,7 +122,7 @@ def frame_count(clips: list[Clip], fps: float, speed: float) -> int:
 
 
 def moments(footage: Footage, clips: list[Clip], fps: float, speed: float) -> Iterator[Moment]:
-    """Yield what each frame shows: ``fps`` frames for each second of video, ``speed`` s of the match in each."""
+    """Yield the content of each frame: ``fps`` frames for each second of video, ``speed`` s of the match in each."""
     for clip in clips:
         half = footage.half(clip.half)
         for frame in range(_frames_of(clip, fps, speed)):

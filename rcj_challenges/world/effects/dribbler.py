@@ -62,7 +62,7 @@ class Dribblers(Tools):
         self._push(tool.body, share, left_x, left_y, tool.device.force_n * _WAIST, 0.0)
 
     def _spin(self, ball: BallAhead, left_x: float, left_y: float) -> float:
-        """Return how fast a ball turns about an axis; MuJoCo has its turning in the frame of the ball."""
+        """Return the speed at which a ball turns about an axis; MuJoCo has its turning in the frame of the ball."""
         w, i, j, k = (self.qpos[ball.turned_at + part] for part in range(4))
         a, b, c = (self.qvel[ball.at + 3 + axis] for axis in range(3))
         p, q, r = 2 * (j * c - k * b), 2 * (k * a - i * c), 2 * (i * b - j * a)

@@ -141,7 +141,7 @@ def others_would_run() -> bool | None:
 
 
 def _would_run(thread: int) -> bool:
-    """Return whether a thread only waits for a processor; False where the system does not tell (all but Linux)."""
+    """Return whether a thread only waits for a processor; False where the system does not show it (all but Linux)."""
     if sys.platform != "linux":
         return False
     try:

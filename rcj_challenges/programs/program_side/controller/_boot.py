@@ -54,7 +54,7 @@ class Boot:
         sys.modules.pop("resource", None)  # a team may have a file of that name, which it then imports
 
     def run(self) -> None:
-        """Run the program and tell the match how it ended, unless the match ended it."""
+        """Run the program and report its end to the match, unless the match ended it."""
         _connection.connect(self._connection)
         sys.setswitchinterval(_SWITCH_S)
         debugger = self._hello.get("debugger")

@@ -129,7 +129,7 @@ class Mouse(_Input):
         self._has_place = False
 
     def is3dPositionEnabled(self) -> bool:
-        """Return what was set."""
+        """Return the last setting."""
         return self._has_place
 
     def getState(self) -> MouseState:
