@@ -97,7 +97,7 @@ def hostile_site(tmp_path_factory: pytest.TempPathFactory, migrated: Path) -> An
 def spread(served: Served, club: Club, texts: list[str]) -> list[tuple[str, str]]:
     """Put texts into every place that a team can write into; return roles and pages that show them."""
     from rcj_challenges.web.dispatcher import report_folder
-    from rcj_challenges.web.models import Audit, Entry, Group, Job, Submission, Team
+    from rcj_challenges.web.models import Audit, Entry, Group, Job, Match, Submission, Team
 
     Entry.objects.all().delete()
     Job.objects.all().delete()
@@ -107,6 +107,8 @@ def spread(served: Served, club: Club, texts: list[str]) -> list[tuple[str, str]
     own = club.teams["own"]
     Group.objects.filter(pk=own.group_id).update(label=texts[0][:60])
     shown = make_submission(served.config, own, "".join(texts[::2]), number=101)
+    playing = make_submission(served.config, own, number=102, state="accepted", digest="a" * 64, report=None)
+    Match.objects.filter(pk=club.rated.pk).update(void="".join(texts)[:200])
     stage = shown.report["stages"][0]
     stage["findings"] = [
         {**stage["findings"][0], **dict.fromkeys(("message", "help", "where", "details"), text)} for text in texts
@@ -114,7 +116,7 @@ def spread(served: Served, club: Club, texts: list[str]) -> list[tuple[str, str]
     shown.save()
     for number, text in enumerate(texts):
         team = Team.objects.create(pk=101 + number, group=own.group, name=text[:40], is_name_public=number % 2 == 0)
-        Entry.objects.create(team=team, season=shown.season, active=shown)
+        Entry.objects.create(team=team, season=shown.season, active=playing)
         Audit.objects.create(at=NOW, actor=text[:60], act="new card", about=text[:120], reason=text[:200])
         Job.objects.create(kind="check", key=text[:100] + str(number), state="stuck", team=team, error=text[:400],
                            not_before=NOW, created_at=NOW, progress=text[:40])  # fmt: skip
@@ -128,7 +130,8 @@ def spread(served: Served, club: Club, texts: list[str]) -> list[tuple[str, str]
     page = html_page(check_report("match", texts[0], "strict", files, []), folder)
     (folder / "report.html").write_text(page, encoding="utf-8")
     return [
-        ("anonymous", "/"), ("team", f"/my/submissions/{shown.pk}"), ("team", f"/my/submissions/{shown.pk}/report"),
+        ("anonymous", "/"), ("anonymous", "/ladder"), ("anonymous", "/teams/101"),
+        ("anonymous", f"/matches/{club.rated.pk}"), ("organizer", "/admin/web/match/"), ("team", f"/my/submissions/{shown.pk}"), ("team", f"/my/submissions/{shown.pk}/report"),
         ("mentor", "/group"), ("mentor", "/group/teams/101"), ("organizer", "/desk"), ("organizer", "/group"),
         ("organizer", "/admin/web/team/"), ("organizer", "/admin/web/job/"), ("organizer", "/admin/web/audit/"),
         ("organizer", f"/admin/web/submission/{shown.pk}/change/"), ("organizer", "/admin/web/team/101/change/"),
