@@ -129,6 +129,7 @@ def play(folder: Path, minutes: float, teams: int, half_s: float) -> list[Row]:
             time.sleep(max(0.0, began + 60 * after - time.monotonic()))
             step()
         time.sleep(max(0.0, began + 60 * minutes - time.monotonic()))
+        _end()  # the secret is published, and no match of the ladder delays those that are played again
         results = json.loads(site.results())
         (folder / "results.json").write_text(json.dumps(results), encoding="utf-8")
         differing = _played_again(site)
@@ -154,6 +155,15 @@ def _begin(teams: int, half_s: float) -> list[str]:
         codes = [give_card(team) for team in made]
     seasons.begin(season, timezone.now())
     return codes
+
+
+def _end() -> None:
+    from django.utils import timezone  # noqa: PLC0415 - once Django is set up
+
+    from rcj_challenges.web import seasons  # noqa: PLC0415
+    from rcj_challenges.web.models import Season  # noqa: PLC0415
+
+    seasons.end(Season.objects.get(), timezone.now())
 
 
 def _upload(site: Site, code: str, number: int) -> Callable[[], None]:

@@ -27,7 +27,7 @@ MAX_TRIES = 3
 _RETRY_AFTER = timedelta(seconds=5)
 _DAY = timedelta(days=1)
 
-PRIORITY = {"check": 0, "repair": 0, "event": 1, "again": 1, "placement": 2, "practice": 3, "ladder": 4}
+PRIORITY = {"check": 0, "repair": 0, "event": 1, "placement": 2, "practice": 3, "ladder": 4, "again": 4}
 """Kinds of jobs, the most urgent first."""
 
 

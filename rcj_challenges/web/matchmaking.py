@@ -15,7 +15,7 @@ from rcj_challenges.web.models import Basis, Entry, Job, JobState, Match, MatchK
 
 WAITING_PER_LANE = 4
 _KINDS = ("placement", "ladder")
-_DAY = timedelta(days=1)
+_DAY, _WEEK = timedelta(days=1), timedelta(days=7)
 _HOUR_S = 3600.0
 _FIRST_LANE_S = 10.0
 """Expected time of a match as long as none has been played, in s."""
@@ -122,7 +122,7 @@ def _candidates(basis: Basis, playing: dict[str, list[Submission]], now: datetim
     used_s: defaultdict[str, float] = defaultdict(float)
     lanes_s: dict[str, list[float]] = defaultdict(list)
     since = {digest: min(one.received_at for one in same) for digest, same in playing.items()}
-    rows = Job.objects.filter(match__basis=basis, kind__in=_KINDS).values_list(
+    rows = Job.objects.filter(match__basis=basis, kind__in=_KINDS, created_at__gt=now - _WEEK).values_list(
         "match__blue__digest", "match__yellow__digest", "created_at", "finished_at", "lane_s"
     )
     for blue, yellow, created_at, finished_at, lane_s in rows:

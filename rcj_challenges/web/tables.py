@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
+from collections import Counter
+from collections.abc import Mapping
 from functools import lru_cache
+from typing import NamedTuple
 
 from django.db.models import Count, Q
 
@@ -16,14 +18,34 @@ Record = Counter[str]
 """How matches ended: ``won``, ``drawn`` and ``lost``."""
 
 
+class Table(NamedTuple):
+    """What follows from the results of a season.
+
+    Attributes:
+        rows: of the programs that play now, best first.
+        fitted: the strengths of all programs.
+        records: how matches ended, by program and opponent.
+    """
+
+    rows: list[Row]
+    fitted: Fit
+    records: Mapping[str, Mapping[str, Record]]
+
+
 @lru_cache(maxsize=4)
-def _computed(basis: Basis, _version: tuple[object, ...], playing: tuple[str, ...]) -> tuple[list[Row], Fit]:
-    fitted = fit(matchmaking.results_of(basis), matchmaking.programs_of(basis.season))
-    return [row_of(rating) for rating in standings(fitted, set(playing))], fitted
+def _computed(basis: Basis, _version: tuple[object, ...], playing: tuple[str, ...]) -> Table:
+    results = matchmaking.results_of(basis)
+    fitted = fit(results, matchmaking.programs_of(basis.season))
+    records: dict[str, dict[str, Record]] = {digest: {} for digest in fitted.digests}
+    for one in results:
+        lead = one.blue_goals - one.yellow_goals
+        for own, other, ours in ((one.blue, one.yellow, lead), (one.yellow, one.blue, -lead)):
+            records[own].setdefault(other, Counter())["won" if ours > 0 else "lost" if ours < 0 else "drawn"] += 1
+    return Table([row_of(rating) for rating in standings(fitted, set(playing))], fitted, records)
 
 
-def table_of(basis: Basis) -> tuple[list[Row], Fit]:
-    """Return the table and the fit it comes from; they are computed once for each change."""
+def table_of(basis: Basis) -> Table:
+    """Return the table; it is computed once for each change."""
     counts = Match.objects.filter(basis=basis).aggregate(
         played=Count("played_at"), void=Count("pk", filter=~Q(void=""))
     )
@@ -32,24 +54,14 @@ def table_of(basis: Basis) -> tuple[list[Row], Fit]:
     return _computed(basis, (*counts.values(), accepted), playing)
 
 
-def records_of(basis: Basis) -> dict[str, dict[str, Record]]:
-    """Return how matches ended, by program and opponent."""
-    found: dict[str, dict[str, Record]] = defaultdict(lambda: defaultdict(Record))
-    for one in matchmaking.results_of(basis):
-        lead = one.blue_goals - one.yellow_goals
-        for own, other, ours in ((one.blue, one.yellow, lead), (one.yellow, one.blue, -lead)):
-            found[own][other]["won" if ours > 0 else "lost" if ours < 0 else "drawn"] += 1
-    return found
-
-
 def published(season: Season) -> Results | None:
     """Return what is published of a season; None: its ladder has not begun."""
     basis = seasons.shown_basis(season)
     if basis is None:
         return None
-    rows, _ = table_of(basis)
     playing = matchmaking.playing_now(season)
     played = Match.objects.filter(basis=basis, kind=MatchKind.RATED, played_at__isnull=False).order_by("number")
+    columns = ("number", "seed", "blue__digest", "yellow__digest", "blue_goals", "yellow_goals", "digest", "void")
     return Results(
         season=season.title, scenario=basis.scenario, versions=basis.versions, secret_hash=season.secret_hash,
         secret=season.secret if season.ended_at is not None else None,
@@ -58,11 +70,9 @@ def published(season: Season) -> Results | None:
             for digest, before in matchmaking.programs_of(season).items()
         ],
         matches=[
-            PlayedMatch(
-                number=one.number, seed=one.seed, blue=one.blue.digest, yellow=one.yellow.digest,
-                score=(one.blue_goals or 0, one.yellow_goals or 0), digest=one.digest, void=one.void,
-            )
-            for one in played.select_related("blue", "yellow").defer("blue__report", "yellow__report")
+            PlayedMatch(number=number, seed=seed, blue=blue, yellow=yellow, score=(ours or 0, theirs or 0),
+                        digest=digest, void=void)
+            for number, seed, blue, yellow, ours, theirs, digest, void in played.values_list(*columns)
         ],
-        table=rows,
+        table=table_of(basis).rows,
     )  # fmt: skip

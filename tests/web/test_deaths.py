@@ -148,9 +148,9 @@ def assert_matches_are_as_without_kills() -> None:
         expected.append(Result(one.blue.digest, one.yellow.digest, *result["score"].values()))
     basis = Basis.objects.get()
     undisturbed = fit(expected, matchmaking.programs_of(basis.season))
-    table, fitted = tables.table_of(basis)
-    assert fitted.strengths.tobytes() == undisturbed.strengths.tobytes()
-    assert table == [row_of(one) for one in standings(undisturbed, set(matchmaking.playing_now(basis.season)))]
+    table = tables.table_of(basis)
+    assert table.fitted.strengths.tobytes() == undisturbed.strengths.tobytes()
+    assert table.rows == [row_of(one) for one in standings(undisturbed, set(matchmaking.playing_now(basis.season)))]
 
 
 def assert_nothing_is_lost(receipts: list[dict[str, Any]], team_count: int) -> None:

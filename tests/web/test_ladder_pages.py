@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from django.utils import timezone
 
-from rcj_challenges.web import jobs, matchmaking, seasons, tables
+from rcj_challenges.web import jobs, matchmaking, seasons
 from rcj_challenges.web.blobs import record_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.ladder.published import Results, table_of
@@ -234,6 +234,21 @@ def test_table_is_computed_anew_only_after_a_change(ladder: list[Submission], mo
     first = results()["table"]
     monkeypatch.setattr(matchmaking, "results_of", lambda _: [])
     assert results()["table"] == first
-    assert tables.table_of(seasons.current_basis(Season.objects.get()))[0] is not None  # type: ignore[arg-type]
     Match.objects.filter(number=1).update(void="x")
     assert results()["table"] != first
+
+
+def test_match_that_cannot_be_played_is_voided_on_the_desk(ladder: list[Submission]) -> None:
+    from tests.web.test_organizers import organizer
+
+    match = Match.objects.get(number=1)
+    Match.objects.filter(pk=match.pk).update(played_at=None, blue_goals=None, yellow_goals=None)
+    with jobs.writing():
+        seasons.enqueue(match, "ladder", NOW)
+    Job.objects.update(state=JobState.STUCK)
+    client = organizer()
+    assert f"/desk/matches/{match.pk}/void" in client.get("/desk").content.decode()
+    assert client.post(f"/desk/matches/{match.pk}/void", {"reason": "it could not be played"})["Location"] == "/desk"
+    assert Job.objects.get().state == JobState.DONE
+    assert f"/desk/matches/{match.pk}/void" not in client.get("/desk").content.decode()
+    assert not seasons.open_rated(match.basis).exists()

@@ -8,11 +8,14 @@ import signal
 import threading
 import time
 from datetime import timedelta
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from rcj_challenges.web import dispatcher, jobs, matchmaking, seasons
+from rcj_challenges.match.runner import PlayedMatch
+from rcj_challenges.tournament import playing as tournament_playing
+from rcj_challenges.web import dispatcher, jobs, matchmaking, playing, seasons
 from rcj_challenges.web.blobs import Blobs, record_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.errors import SiteError
@@ -187,6 +190,30 @@ def _kill_child(worker: dispatcher.Dispatcher) -> None:
     time.sleep(1.0)
     for process in list(worker._processes.values()):
         os.kill(process.pid, signal.SIGKILL)
+
+
+@pytest.mark.parametrize(
+    ("fault", "digests", "is_doubtful"),
+    [
+        ({"kind": "crash", "timed": False, "traceback": "File robot.py"}, "a", False),
+        ({"kind": "step_timeout", "timed": True, "traceback": ""}, "aa", False),
+        ({"kind": "crash", "timed": False, "traceback": ""}, "ab", True),  # a signal
+    ],
+)
+def test_match_in_which_a_program_was_ended_from_outside_is_repeated_and_the_second_time_counts(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, fault: dict[str, Any], digests: str, is_doubtful: bool
+) -> None:
+    left = list(digests)
+
+    def play_job(*_: object) -> PlayedMatch:
+        folder = tmp_path / "record"
+        folder.mkdir()
+        return PlayedMatch(folder, {"digest": left.pop(0), "faults": [fault]})
+
+    monkeypatch.setattr(tournament_playing, "play_job", play_job)
+    job = {"scenario": "", "seats": {}, "names": {}, "seed": 1, "versions": {}}
+    answer = playing.play({"job": job, "site": str(tmp_path), "playing": str(tmp_path)})
+    assert (answer["result"]["digest"], answer["is_doubtful"], left) == (digests[-1], is_doubtful, [])
 
 
 def test_result_of_a_lease_that_ran_out_is_dropped(any_site: SiteConfig) -> None:

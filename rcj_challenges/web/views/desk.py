@@ -29,7 +29,7 @@ def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
     """Show what needs a person: stuck jobs, names to release, dispatchers, the disk."""
     now = timezone.now()
     values: dict[str, Any] = {
-        "stuck": Job.objects.filter(state=JobState.STUCK).select_related("team", "submission")[:50],
+        "stuck": Job.objects.filter(state=JobState.STUCK).select_related("team", "match")[:50],
         "running": Job.objects.filter(state=JobState.RUNNING).select_related("team")[:50],
         "waiting": jobs.waiting(now).select_related("team")[:50],
         "count": Job.objects.filter(state=JobState.QUEUED).count(),
@@ -80,7 +80,7 @@ def void_match(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBas
     with jobs.writing():
         seasons.void(Match.objects.filter(pk=pk), reason)
         write_audit(viewer, "void match", f"match {found.number}", reason, timezone.now())
-    return redirect("match", pk=pk)
+    return redirect("desk") if found.played_at is None else redirect("match", pk=pk)
 
 
 @only("organizer", post=True)

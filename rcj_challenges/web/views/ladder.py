@@ -41,15 +41,14 @@ def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
     values: dict[str, Any] = {"season": season, "others": others, "rows": [], "cross": [], "number": 1, "is_last": True}
     if season is not None and basis is not None:
         number = max(1, int(text)) if (text := request.GET.get("page", "1")[:4]).isdecimal() else 1
-        playing, records = matchmaking.playing_now(season), tables.records_of(basis)
-        table, _ = tables.table_of(basis)
+        playing, table = matchmaking.playing_now(season), tables.table_of(basis)
         rows: list[dict[str, Any]] = [
             {"row": row, "teams": [one.team for one in playing[row.digest]],
-             "record": sum(records[row.digest].values(), Counter())}
-            for row in table
+             "record": sum(table.records[row.digest].values(), Counter())}
+            for row in table.rows
         ]  # fmt: skip
         values |= {"rows": rows[_ROWS * (number - 1) : _ROWS * number], "number": number,
-                   "is_last": len(rows) <= _ROWS * number, "records": records,
+                   "is_last": len(rows) <= _ROWS * number, "records": table.records,
                    "cross": [row for row in rows if row["row"].rank is not None][:_CROSS]}  # fmt: skip
     return page(request, "ladder.html", **values)
 
@@ -62,12 +61,11 @@ def team(request: HttpRequest, pk: int) -> HttpResponse:
     basis = None if season is None else seasons.shown_basis(season)
     values: dict[str, Any] = {"team": found, "versions": [], "matches": [], "season": season}
     if basis is not None:
-        records, playing = tables.records_of(basis), matchmaking.playing_now(basis.season)
-        _, fitted = tables.table_of(basis)
+        playing, table = matchmaking.playing_now(basis.season), tables.table_of(basis)
         accepted = Submission.objects.filter(team=found, season=season, state=State.ACCEPTED).defer("report")
         values["versions"] = [
-            {"submission": one, "value": fitted.value_of(one.digest), "plays": one in playing.get(one.digest, ()),
-             "record": sum(records[one.digest].values(), Counter())}
+            {"submission": one, "value": table.fitted.value_of(one.digest), "plays": one in playing.get(one.digest, ()),
+             "record": sum(table.records[one.digest].values(), Counter())}
             for one in accepted[:_MATCHES]
         ]  # fmt: skip
         theirs = Match.objects.filter(Q(blue__team=found) | Q(yellow__team=found), basis=basis, kind=MatchKind.RATED)
