@@ -6,18 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.codes import (
-    IDENTITY_LOGO,
-    IDENTITY_LOGO_ANIMATED,
-    IDENTITY_LOGO_BYTES,
-    IDENTITY_LOGO_DAMAGED,
-    IDENTITY_LOGO_FILE,
-    IDENTITY_LOGO_MISSING,
-    IDENTITY_LOGO_NO_PICTURE,
-    IDENTITY_LOGO_SIZE,
-    IDENTITY_LOGO_TYPE,
-    IDENTITY_NAME,
-)
+from rcj_challenges.checker import codes
 from rcj_challenges.checker.images import Picture, identify
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
@@ -54,7 +43,7 @@ def name_findings(opening: Opening) -> list[Diagnostic]:
     """Return the team's name with findings on it."""
     found = [finding_of(trouble) for trouble in opening.name.troubles]
     if opening.name.given:
-        found.append(Diagnostic(IDENTITY_NAME, f"the team is called {opening.name.text}"))
+        found.append(Diagnostic(codes.IDENTITY_NAME, f"the team is called {opening.name.text}"))
     return found
 
 
@@ -62,13 +51,13 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     """Find the logo among a team's files and look at it."""
     path = _logo_file(files)
     if path is None:
-        return Logo(None, None, (Diagnostic(IDENTITY_LOGO_MISSING, f"there is no {LOGO_FILE}: none is needed"),))
+        return Logo(None, None, (Diagnostic(codes.IDENTITY_LOGO_MISSING, f"there is no {LOGO_FILE}: none is needed"),))
     findings = []
     taken = path.name.casefold() == LOGO_FILE
     if path != PurePosixPath(LOGO_FILE):
         message = f"the logo is {safe_text(path)}" + ("" if taken else ", which is not shown")
         help_ = f"call it {LOGO_FILE} and put it beside the programs' folders"
-        findings.append(_warning(IDENTITY_LOGO_FILE, message, help_, path))
+        findings.append(_warning(codes.IDENTITY_LOGO_FILE, message, help_, path))
     data = files[path]
     shown = None
     try:
@@ -96,16 +85,20 @@ def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: 
     """Return why a logo is not shown."""
     name = safe_text(path)
     if picture is None:
-        return _warning(IDENTITY_LOGO_NO_PICTURE, f"{name} is no picture: {reason}", _AS_PNG, path)
+        return _warning(codes.IDENTITY_LOGO_NO_PICTURE, f"{name} is no picture: {reason}", _AS_PNG, path)
     if picture.kind != "PNG":
-        return _warning(IDENTITY_LOGO_TYPE, f"{name} is a {picture.kind}, not a PNG, and is not shown", _AS_PNG, path)
+        return _warning(
+            codes.IDENTITY_LOGO_TYPE, f"{name} is a {picture.kind}, not a PNG, and is not shown", _AS_PNG, path
+        )
     if max(picture.width, picture.height) > MAX_LOGO_SIDE:
         message = f"{name} has {picture.width} x {picture.height} pixels and is not shown"
-        return _warning(IDENTITY_LOGO_SIZE, message, f"make it at most {MAX_LOGO_SIDE} pixels wide and high", path)
+        return _warning(
+            codes.IDENTITY_LOGO_SIZE, message, f"make it at most {MAX_LOGO_SIDE} pixels wide and high", path
+        )
     if len(data) > MAX_LOGO_BYTES:
         message = f"{name} has {len(data) / 1e6:.1f} MB and is not shown"
-        return _warning(IDENTITY_LOGO_BYTES, message, f"make it at most {MAX_LOGO_BYTES / 1e6:.0f} MB", path)
-    return _warning(IDENTITY_LOGO_DAMAGED, f"{name} is not shown: {reason}", _AS_PNG, path)
+        return _warning(codes.IDENTITY_LOGO_BYTES, message, f"make it at most {MAX_LOGO_BYTES / 1e6:.0f} MB", path)
+    return _warning(codes.IDENTITY_LOGO_DAMAGED, f"{name} is not shown: {reason}", _AS_PNG, path)
 
 
 def _accepted(path: PurePosixPath, picture: Picture | None) -> list[Diagnostic]:
@@ -113,7 +106,9 @@ def _accepted(path: PurePosixPath, picture: Picture | None) -> list[Diagnostic]:
         return []
     if picture.animated:
         return [
-            _warning(IDENTITY_LOGO_ANIMATED, f"{safe_text(path)} moves: only its first picture is shown", _AS_PNG, path)
+            _warning(
+                codes.IDENTITY_LOGO_ANIMATED, f"{safe_text(path)} moves: only its first picture is shown", _AS_PNG, path
+            )
         ]
     message = f"the logo has {picture.width} x {picture.height} pixels"
-    return [Diagnostic(IDENTITY_LOGO, message, where=safe_text(path))]
+    return [Diagnostic(codes.IDENTITY_LOGO, message, where=safe_text(path))]

@@ -6,18 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.codes import (
-    LAYOUT_EMPTY_ENTRY,
-    LAYOUT_EMPTY_PROGRAM,
-    LAYOUT_FOLDER_NAME,
-    LAYOUT_MISNAMED,
-    LAYOUT_NEVER_STARTED,
-    LAYOUT_NO_FOLDER,
-    LAYOUT_PROGRAM,
-    LAYOUT_SAME_PROGRAM,
-    LAYOUT_SINGLE_PROGRAM,
-    LAYOUT_TOP_FOLDER,
-)
+from rcj_challenges.checker import codes
 from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
 from rcj_challenges.checker.others import suggest_scenarios
 from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
@@ -83,7 +72,7 @@ def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant
 def _folder_findings(opening: Opening) -> list[Diagnostic]:
     if opening.contents.kind == "program":
         message = f"a single program drives all robots: {safe_text(next(iter(opening.files), ''))}"
-        return [Diagnostic(LAYOUT_SINGLE_PROGRAM, message, "a submission is a ZIP", repair=True)]
+        return [Diagnostic(codes.LAYOUT_SINGLE_PROGRAM, message, "a submission is a ZIP", repair=True)]
     if opening.contents.kind != "zip":
         return []
     top, found = opening.top, []
@@ -93,14 +82,14 @@ def _folder_findings(opening: Opening) -> list[Diagnostic]:
 
     if opening.within is not None and not top.parts:
         message = f"the programs are not in a folder {safe_text(opening.within)}"
-        warn(LAYOUT_NO_FOLDER, message, "pack that folder, not only what is in it")
+        warn(codes.LAYOUT_NO_FOLDER, message, "pack that folder, not only what is in it")
     elif opening.within is not None:
         message = f"the folder of the programs is called {safe_text(top.name)}"
-        warn(LAYOUT_FOLDER_NAME, message, f"call it {safe_text(opening.within)}", safe_text(top))
+        warn(codes.LAYOUT_FOLDER_NAME, message, f"call it {safe_text(opening.within)}", safe_text(top))
         top = top.parent
     if top.parts:
         message = f"everything lies in an extra folder: {safe_text(top)}"
-        warn(LAYOUT_TOP_FOLDER, message, "pack what is in it, not the folder itself", safe_text(top))
+        warn(codes.LAYOUT_TOP_FOLDER, message, "pack what is in it, not the folder itself", safe_text(top))
     return found
 
 
@@ -110,7 +99,9 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
     message = missing_programs(files, opening.missing, hint=plan is None, others=all_entries(seats))
     if plan is not None:
         help_ = "; ".join(filter(None, (", ".join(map(str, plan.moves)), plan.caution)))
-        return [Diagnostic(LAYOUT_MISNAMED, message, help_, safe_text(plan.moves[0].old), repair=not plan.caution)]
+        return [
+            Diagnostic(codes.LAYOUT_MISNAMED, message, help_, safe_text(plan.moves[0].old), repair=not plan.caution)
+        ]
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
     if nested:
         help_ = f"pack what is in {nested[0].where}, not the archive itself"
@@ -127,10 +118,10 @@ def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Diagnost
         if empty.started:
             message = f"{name} is empty, and it is what {', '.join(empty.started)} would be started with"
             help_ = "delete it" if empty.spare else "put the program into it"
-            found.append(Diagnostic(LAYOUT_EMPTY_ENTRY, message, help_, name, repair=empty.spare))
+            found.append(Diagnostic(codes.LAYOUT_EMPTY_ENTRY, message, help_, name, repair=empty.spare))
         else:
             message = f"{name} is empty, and this scenario does not ask for it"
-            found.append(Diagnostic(LAYOUT_EMPTY_PROGRAM, message, "delete it", name, repair=empty.spare))
+            found.append(Diagnostic(codes.LAYOUT_EMPTY_PROGRAM, message, "delete it", name, repair=empty.spare))
     return found
 
 
@@ -145,7 +136,7 @@ def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Diagno
         if entry is not None:
             robots.setdefault(entry, []).append(robot)
     found = [
-        Diagnostic(LAYOUT_PROGRAM, f"{', '.join(names)}: {safe_text(entry)}", where=safe_text(entry))
+        Diagnostic(codes.LAYOUT_PROGRAM, f"{', '.join(names)}: {safe_text(entry)}", where=safe_text(entry))
         for entry, names in robots.items()
     ]
     # Beside an empty file that is to be deleted, those that are started then are in use.
@@ -175,11 +166,11 @@ def _never_started(
     twin = next((entry for entry in entries if _content(files, path) == _content(files, entry)), None)
     if twin is not None:
         message = f"{place} is never started; what is in its folder is the same as in {safe_text(twin.parent)}"
-        return Diagnostic(LAYOUT_SAME_PROGRAM, message, where=place)
+        return Diagnostic(codes.LAYOUT_SAME_PROGRAM, message, where=place)
     started = ", ".join(safe_text(entry) for entry in dict.fromkeys(entries))
     message = f"{place} is never started: robots of either colour are started with {started}"
     help_ = "put what it does into the program that is started, which can call robot.getName(); else delete it"
-    return Diagnostic(LAYOUT_NEVER_STARTED, message, help_, place)
+    return Diagnostic(codes.LAYOUT_NEVER_STARTED, message, help_, place)
 
 
 def _content(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> dict[PurePosixPath, bytes]:

@@ -7,19 +7,9 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
+from rcj_challenges.checker import codes
 from rcj_challenges.checker.advice.devices import MAX_COMPLAINTS, complaints_in
 from rcj_challenges.checker.advice.hints import standing_help
-from rcj_challenges.checker.codes import (
-    PLAY_ABSENT,
-    PLAY_COMPLAINT,
-    PLAY_NO_TOUCH,
-    PLAY_PLAYED,
-    PLAY_PRINTS_MUCH,
-    PLAY_SLOW,
-    PLAY_SLOW_STEP,
-    PLAY_STANDS,
-    PLAY_THREAD,
-)
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, late_from_ticks, rehearse
@@ -104,7 +94,7 @@ def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) 
         "look for time.sleep, a wait, or a step of many seconds: meanwhile the motors keep their last speeds, and "
         "the robot sees nothing; in a loop call robot.step(32) instead, and compare robot.getTime()"
     )
-    return [Diagnostic(PLAY_ABSENT, message, help_, ", ".join(absent))]
+    return [Diagnostic(codes.PLAY_ABSENT, message, help_, ", ".join(absent))]
 
 
 def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Diagnostic]:
@@ -118,7 +108,9 @@ def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], s
     helps = {
         entry: standing_help(rehearsal.loaded.scenario, rehearsal.team, robots[0]) for entry, robots in standing.items()
     }
-    return [Diagnostic(PLAY_STANDS, message, helps[entry], ", ".join(robots)) for entry, robots in standing.items()]
+    return [
+        Diagnostic(codes.PLAY_STANDS, message, helps[entry], ", ".join(robots)) for entry, robots in standing.items()
+    ]
 
 
 def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Diagnostic]:
@@ -126,7 +118,7 @@ def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[D
         return []
     message = f"{side}no robot touched the ball in {match.simulated_s:.0f} s"
     help_ = "do they find it? Watch the replay (--replay DIR)"
-    return [Diagnostic(PLAY_NO_TOUCH, message, help_, ", ".join(match.robots))]
+    return [Diagnostic(codes.PLAY_NO_TOUCH, message, help_, ", ".join(match.robots))]
 
 
 def _is_about_a_ball(loaded: Loaded) -> bool:
@@ -161,10 +153,10 @@ def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Diagnostic]
             )
             level: Level = "error" if whole_s > _TOO_SLOW_SHARE * limits.half_s else "warning"
             help_ = f"do less in each step: {mean_ms:.1f} ms for each tick of 32 ms is the limit in the long run"
-            findings.append(Diagnostic(PLAY_SLOW, message, help_, robot, level=level))
+            findings.append(Diagnostic(codes.PLAY_SLOW, message, help_, robot, level=level))
         elif wait.slowest_s > _SLOW_SHARE * limits.step_s:
             message = f"{side}the slowest step takes {wait.slowest_s:.1f} s; {limits.step_s:g} s are allowed"
-            findings.append(Diagnostic(PLAY_SLOW_STEP, message, "spread long work over many steps", robot))
+            findings.append(Diagnostic(codes.PLAY_SLOW_STEP, message, "spread long work over many steps", robot))
     return findings
 
 
@@ -206,7 +198,7 @@ def _prints_much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Diag
     level: Level = "error" if most_mb > _TOO_MUCH_SHARE * limit_mb else "warning"
     of_level = (name for name, mb in near_mb.items() if level == "warning" or mb > _TOO_MUCH_SHARE * limit_mb)
     help_ = "print less: only what changes, or in every 30th step"
-    return [Diagnostic(PLAY_PRINTS_MUCH, message, help_, ", ".join(of_level), level=level)]
+    return [Diagnostic(codes.PLAY_PRINTS_MUCH, message, help_, ", ".join(of_level), level=level)]
 
 
 def _threads(match: Rehearsed, side: str) -> list[Diagnostic]:
@@ -220,7 +212,7 @@ def _threads(match: Rehearsed, side: str) -> list[Diagnostic]:
     help_ = "correct the line below: the program continues without this thread, whose work is not done"
     return [
         Diagnostic(
-            PLAY_THREAD,
+            codes.PLAY_THREAD,
             f"{side}a thread of the program ended by an error: {sanitize(error, 300)}",
             help_,
             ", ".join(robots),
@@ -237,7 +229,7 @@ def _complaints(match: Rehearsed, side: str) -> list[Diagnostic]:
         for complaint in complaints_in(match.notes[robot]):
             complaints.setdefault(complaint, []).append(robot)
     return [
-        Diagnostic(PLAY_COMPLAINT, f"{side}{what}", help_, ", ".join(robots))
+        Diagnostic(codes.PLAY_COMPLAINT, f"{side}{what}", help_, ", ".join(robots))
         for (what, help_), robots in list(complaints.items())[:MAX_COMPLAINTS]
     ]
 
@@ -249,4 +241,4 @@ def _summary(match: Rehearsed, side: str) -> Diagnostic:
     summary = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
     if touches:
         summary += f", {touches} of {len(match.robots)} robots touched the ball"
-    return Diagnostic(PLAY_PLAYED, summary)
+    return Diagnostic(codes.PLAY_PLAYED, summary)

@@ -9,23 +9,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.codes import (
-    SOURCES_ELSEWHERE,
-    SOURCES_EMPTY,
-    SOURCES_LARGE,
-    SOURCES_MISSING_MODULE,
-    SOURCES_MISSING_PART,
-    SOURCES_MORE,
-    SOURCES_NOT_ON_THIS_COMPUTER,
-    SOURCES_OK,
-    SOURCES_PASSED_OVER,
-    SOURCES_REFUSED_MODULE,
-    SOURCES_RELATIVE_IMPORT,
-    SOURCES_SHADOWS,
-    SOURCES_TOO_MANY_IMPORTS,
-    SOURCES_UNREAD,
-    SOURCES_WRONG_CASE,
-)
+from rcj_challenges.checker import codes
 from rcj_challenges.checker.file_beside import help_for_module_beside
 from rcj_challenges.checker.findings import Stage
 from rcj_challenges.checker.modules import (
@@ -59,7 +43,7 @@ _MAKES_MODULES = re.compile(
     rb"""\bsys\.modules[ ]?\[[^\]\n]{1,80}\][ ]?=|\.zip["']|\bmeta_path\b|\.py["'],[ ]?(?:mode[ ]?=[ ]?)?["'][wx]"""
 )
 _RUNNING_SHOWS = "; only running the programs can show whether that ends one"
-_NOT_LOOKED_INTO = (SOURCES_LARGE, SOURCES_TOO_MANY_IMPORTS, SOURCES_UNREAD)
+_NOT_LOOKED_INTO = (codes.SOURCES_LARGE, codes.SOURCES_TOO_MANY_IMPORTS, codes.SOURCES_UNREAD)
 
 
 def check_sources(team: Team) -> Stage:
@@ -81,9 +65,9 @@ def check_sources(team: Team) -> Stage:
     for entry in sorted(entries & sources.keys()):
         if sources[entry].empty:
             help_ = "put your program into this file"
-            found[Diagnostic(SOURCES_EMPTY, "the program is empty", help_, sanitize(entry))] = None
+            found[Diagnostic(codes.SOURCES_EMPTY, "the program is empty", help_, sanitize(entry))] = None
     found |= dict.fromkeys(_taken_names(files, entries))
-    ok = Diagnostic(SOURCES_OK, f"{counted(len(sources), 'Python file')} in order for {PYTHON}")
+    ok = Diagnostic(codes.SOURCES_OK, f"{counted(len(sources), 'Python file')} in order for {PYTHON}")
     return Stage("sources", _in_order(found) or [ok])
 
 
@@ -138,7 +122,7 @@ class _Walk:
         if wanted.level > depth:
             written = "." * wanted.level + sanitize(wanted.module)
             message = f'"from {written} import …" does not work here: this file is not inside a package'
-            self._report(file, wanted, SOURCES_RELATIVE_IMPORT, message, "write it without the dots")
+            self._report(file, wanted, codes.SOURCES_RELATIVE_IMPORT, message, "write it without the dots")
             return []
         if (file, wanted) not in followed:
             followed[file, wanted] = self._relative(file, wanted) if wanted.level else self._absolute(file, wanted)
@@ -197,7 +181,12 @@ class _Walk:
                 f'imports "{sanitize(wanted.module)}", which is for {use}: a match refuses that as soon as it is used'
             )
             self._add(
-                file, wanted, "warning", SOURCES_REFUSED_MODULE, message, "play without it; unused, it does no harm"
+                file,
+                wanted,
+                "warning",
+                codes.SOURCES_REFUSED_MODULE,
+                message,
+                "play without it; unused, it does no harm",
             )
         if is_pythons and not is_here(first):
             message = (
@@ -205,7 +194,7 @@ class _Walk:
                 f"({platform.system()})"
             )
             help_ = "do without it: matches are played on any system"
-            self._report(file, wanted, SOURCES_NOT_ON_THIS_COMPUTER, message, help_)
+            self._report(file, wanted, codes.SOURCES_NOT_ON_THIS_COMPUTER, message, help_)
 
     def _missing(self, name: str, parts: list[str]) -> tuple[Code, str, str]:
         """Return code, message and help for a module that is nowhere."""
@@ -213,21 +202,21 @@ class _Walk:
         nowhere = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
         self._looked_for += 1
         if self._looked_for > _MAX_LOOKED_FOR:
-            return SOURCES_MISSING_MODULE, nowhere, f"put {quoted}.py beside the program, or do without it"
+            return codes.SOURCES_MISSING_MODULE, nowhere, f"put {quoted}.py beside the program, or do without it"
         other_case = next((near for near in self._usual.names if near.casefold() == name.casefold()), None)
         if other_case is not None:
             called = sanitize(other_case)
             message = f'imports "{quoted}", but the module is called "{called}": upper and lower case matter'
-            return SOURCES_WRONG_CASE, message, f'write "{called}"; Windows and macOS hide this mistake'
+            return codes.SOURCES_WRONG_CASE, message, f'write "{called}"; Windows and macOS hide this mistake'
         place = self._usual.lies_at(name)
         if place is not None:
             message = f'imports "{quoted}", but {sanitize(place)} is not where Python looks for it'
             return (
-                SOURCES_ELSEWHERE,
+                codes.SOURCES_ELSEWHERE,
                 message,
                 "move the file beside the program, or import it by the name of its folder",
             )
-        return SOURCES_MISSING_MODULE, nowhere, self._help_for_missing(name, parts)
+        return codes.SOURCES_MISSING_MODULE, nowhere, self._help_for_missing(name, parts)
 
     def _help_for_missing(self, name: str, parts: list[str]) -> str:
         if beside := help_for_module_beside(self._team, name):
@@ -251,7 +240,7 @@ class _Walk:
             self._add(file, wanted, "warning", code, message, "make sure that it plays well without")
         elif wanted.risk == "possible":
             self._add(file, wanted, "warning", code, message + _ONLY_IF_REACHED, help_)
-        elif self._makes_modules and code == SOURCES_MISSING_MODULE:
+        elif self._makes_modules and code == codes.SOURCES_MISSING_MODULE:
             self._add(file, wanted, "warning", code, message + _RUNNING_SHOWS, help_)
         else:
             self._add(file, wanted, "error", code, message, help_)
@@ -269,12 +258,12 @@ def _missing_part(module: Module, name: str, part: str) -> tuple[Code, str, str]
     whole = sanitize(f"{name}.{part}")
     if module.folder is None:
         return (
-            SOURCES_MISSING_PART,
+            codes.SOURCES_MISSING_PART,
             f'imports "{whole}", but "{sanitize(name)}" is a file, not a folder',
             f"correct the import: a file of the same folder is imported as {sanitize(part)}",
         )
     message = f'imports "{whole}", but there is no {sanitize(part)}.py in the folder {sanitize(module.folder)}'
-    return SOURCES_MISSING_PART, message, "add the file to the submission, or correct the import"
+    return codes.SOURCES_MISSING_PART, message, "add the file to the submission, or correct the import"
 
 
 def _unreadable(
@@ -303,10 +292,10 @@ def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) 
         if is_always_pythons(name):
             message = f'"import {module}" never finds {file}: it always gives the module of Python or of the match'
             help_ = "give it another name if programs need what is in it; if it is only for your editor, all is well"
-            yield Diagnostic(SOURCES_PASSED_OVER, message, help_, file)
+            yield Diagnostic(codes.SOURCES_PASSED_OVER, message, help_, file)
         else:
             message = f'this file hides "{module}", a module of Python or of numpy and scipy, or is hidden by it'
-            yield Diagnostic(SOURCES_SHADOWS, message, "give it another name", file)
+            yield Diagnostic(codes.SOURCES_SHADOWS, message, "give it another name", file)
 
 
 def _in_order(found: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -321,5 +310,5 @@ def _in_order(found: Iterable[Diagnostic]) -> list[Diagnostic]:
     left_out = len(ordered) - _MAX_FINDINGS
     if left_out <= 0:
         return ordered
-    more = Diagnostic(SOURCES_MORE, f"{left_out} more of the kind", "start with those above")
+    more = Diagnostic(codes.SOURCES_MORE, f"{left_out} more of the kind", "start with those above")
     return [*ordered[:_MAX_FINDINGS], more]

@@ -5,17 +5,7 @@ from __future__ import annotations
 import platform
 import re
 
-from rcj_challenges.checker.codes import (
-    SOURCES_ENCODING,
-    SOURCES_LARGE,
-    SOURCES_NULL_BYTES,
-    SOURCES_ODD_ENCODING,
-    SOURCES_SYNTAX,
-    SOURCES_TOO_DEEP,
-    SOURCES_TOO_MANY_IMPORTS,
-    SOURCES_TOO_SLOW,
-    SOURCES_UNREAD,
-)
+from rcj_challenges.checker import codes
 from rcj_challenges.checker.reading import MAX_BYTES, MAX_IMPORTS, Source
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.sanitize import sanitize
@@ -39,7 +29,7 @@ _SYNTAX_HELP = (
 """Help by Python's message."""
 
 _TOO_DEEP = (
-    SOURCES_TOO_DEEP,
+    codes.SOURCES_TOO_DEEP,
     "brackets or expressions lie so deep in one another that Python cannot read the file",
     _SMALLER_STEPS,
 )
@@ -47,21 +37,21 @@ _WITHOUT_MESSAGE = {
     "depth": _TOO_DEEP,
     "crash": _TOO_DEEP,
     "slow": (
-        SOURCES_TOO_SLOW,
+        codes.SOURCES_TOO_SLOW,
         "Python takes far too long to read the file",
         "split it, or put data into a file of its own",
     ),
     "large": (
-        SOURCES_LARGE,
+        codes.SOURCES_LARGE,
         f"more than {MAX_BYTES / 1000:g} kB of Python: not looked into",
         "put large data into a file that is not a program",
     ),
     "imports": (
-        SOURCES_TOO_MANY_IMPORTS,
+        codes.SOURCES_TOO_MANY_IMPORTS,
         f"with this file the programs import more than {MAX_IMPORTS} modules and names: it is not looked into",
         _LEAVE_OUT,
     ),
-    "unread": (SOURCES_UNREAD, "not looked into: those before it are too much for Python", _LEAVE_OUT),
+    "unread": (codes.SOURCES_UNREAD, "not looked into: those before it are too much for Python", _LEAVE_OUT),
 }
 """Code, message and help where reading ended without a message from Python."""
 
@@ -77,11 +67,15 @@ def describe_error(source: Source, content: bytes) -> tuple[Code, str, str]:
         return _WITHOUT_MESSAGE[source.wrong]
     message = sanitize(source.message)
     if source.wrong == "odd_encoding":
-        return SOURCES_ODD_ENCODING, f"the file declares the encoding {message}, which no editor writes", _SAVE_AS_UTF8
+        return (
+            codes.SOURCES_ODD_ENCODING,
+            f"the file declares the encoding {message}, which no editor writes",
+            _SAVE_AS_UTF8,
+        )
     if "null bytes" in message:
-        return SOURCES_NULL_BYTES, "there are zero bytes in the file: it is not text", _SAVE_AS_UTF8
+        return codes.SOURCES_NULL_BYTES, "there are zero bytes in the file: it is not text", _SAVE_AS_UTF8
     if any(words in message for words in ("codec can't decode", "encoding", "Non-UTF-8")):
-        return SOURCES_ENCODING, f"the letters of the file cannot be read ({message})", _SAVE_AS_UTF8
+        return codes.SOURCES_ENCODING, f"the letters of the file cannot be read ({message})", _SAVE_AS_UTF8
     lines = content.splitlines()
     if 0 < source.line <= len(lines) and lines[source.line - 1].startswith(_LEFT_BY_GIT):
         help_ = "git found two versions here: keep one of them, and delete the lines <<<, === and >>>"
@@ -89,5 +83,5 @@ def describe_error(source: Source, content: bytes) -> tuple[Code, str, str]:
         error = f"{source.wrong}: {message}"
         other = f"correct this line or the one before it; {PYTHON} is used here, so newer syntax does not exist yet"
         help_ = next((text for pattern, text in _SYNTAX_HELP if re.search(pattern, error)), other)
-    code = SOURCES_TOO_DEEP if help_ == _SMALLER_STEPS else SOURCES_SYNTAX
+    code = codes.SOURCES_TOO_DEEP if help_ == _SMALLER_STEPS else codes.SOURCES_SYNTAX
     return code, f"{PYTHON} cannot read this: {message}", help_

@@ -14,13 +14,7 @@ from typing import Any, BinaryIO
 from rcj_challenges.core.errors import format_error, is_held
 from rcj_challenges.core.files import open_without_waiting
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.records.codes import (
-    CANNOT_WRITE_RECORD,
-    RECORD_NOT_A_FILE,
-    RECORD_TOO_LARGE,
-    RECORD_TOO_NEW,
-    RECORD_TOO_OLD,
-)
+from rcj_challenges.records import codes
 from rcj_challenges.records.errors import COPY_AGAIN, RecordError
 
 RECORD_VERSION = 2
@@ -55,10 +49,10 @@ def check_version(record: int, name: str) -> None:
     """
     message = f"{name}: its record has version {record}, this package reads version {RECORD_VERSION}"
     if record > RECORD_VERSION:
-        raise RecordError(RECORD_TOO_NEW, message, "read it with a newer rcj-challenges")
+        raise RecordError(codes.RECORD_TOO_NEW, message, "read it with a newer rcj-challenges")
     if record < RECORD_VERSION:
         help_ = "play the match again; its replay.html still opens in a browser"
-        raise RecordError(RECORD_TOO_OLD, f"{message} only", help_)
+        raise RecordError(codes.RECORD_TOO_OLD, f"{message} only", help_)
 
 
 def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
@@ -77,9 +71,9 @@ def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
     file.close()
     if stat.S_ISREG(found.st_mode):
         message = f"{path.parent.name}: {path.name} has {found.st_size / 1e6:.0f} MB, more than {max_bytes / 1e6:.0f}"
-        raise RecordError(RECORD_TOO_LARGE, message, "no run writes such a file: copy the whole record again")
+        raise RecordError(codes.RECORD_TOO_LARGE, message, "no run writes such a file: copy the whole record again")
     message = f"{path.parent.name}: {path.name} is a pipe or a device, not a file"
-    raise RecordError(RECORD_NOT_A_FILE, message, COPY_AGAIN)
+    raise RecordError(codes.RECORD_NOT_A_FILE, message, COPY_AGAIN)
 
 
 def read_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes:
@@ -131,7 +125,7 @@ def make_out_folder(out: Path, what: str = "the record") -> None:
         other = next((path for path in (out, *out.parents) if os.path.lexists(path) and not path.is_dir()), None)
         why = format_error(error) if other is None else f"{sanitize(other)} is not a folder"
         message = f"cannot make a folder for {what} in {sanitize(out)}: {why}"
-        raise RecordError(CANNOT_WRITE_RECORD, message, _OTHER_FOLDER) from error
+        raise RecordError(codes.CANNOT_WRITE_RECORD, message, _OTHER_FOLDER) from error
 
 
 def make_run_folder(out: Path, name: str) -> Path:
@@ -149,9 +143,9 @@ def make_run_folder(out: Path, name: str) -> Path:
             continue
         except OSError as error:
             message = f"cannot make a folder for the record in {sanitize(out)}: {format_error(error)}"
-            raise RecordError(CANNOT_WRITE_RECORD, message, _OTHER_FOLDER) from error
+            raise RecordError(codes.CANNOT_WRITE_RECORD, message, _OTHER_FOLDER) from error
         return folder
-    raise RecordError(CANNOT_WRITE_RECORD, f"too many records of this second in {sanitize(out)}", _OTHER_FOLDER)
+    raise RecordError(codes.CANNOT_WRITE_RECORD, f"too many records of this second in {sanitize(out)}", _OTHER_FOLDER)
 
 
 @contextmanager

@@ -14,31 +14,7 @@ from rcj_challenges.core.code import Code
 from rcj_challenges.core.codes import CANNOT_OPEN
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.submissions import zip_reader
-from rcj_challenges.submissions.codes import (
-    ARCHIVE_BACKSLASHES,
-    ARCHIVE_BOMB,
-    ARCHIVE_COLLISION,
-    ARCHIVE_DUPLICATE,
-    ARCHIVE_EMPTY,
-    ARCHIVE_ENCRYPTED,
-    ARCHIVE_HEADERS,
-    ARCHIVE_LEFTOVERS,
-    ARCHIVE_LINK,
-    ARCHIVE_LINK_INSIDE,
-    ARCHIVE_METHOD,
-    ARCHIVE_NAME_GUESSED,
-    ARCHIVE_NESTED,
-    ARCHIVE_NO_FOLDERS,
-    ARCHIVE_OTHER_KIND,
-    ARCHIVE_OUTSIDE_FOLDER,
-    ARCHIVE_TOO_DEEP,
-    ARCHIVE_TOO_LARGE,
-    ARCHIVE_TOO_MANY,
-    ARCHIVE_TOO_MANY_FOLDERS,
-    NO_SUCH_TEAM,
-    UNUSABLE_TEAM,
-)
+from rcj_challenges.submissions import codes, zip_reader
 from rcj_challenges.submissions.limits import (
     FREE_UNPACKED_BYTES,
     MAX_DEPTH,
@@ -93,7 +69,7 @@ _MAX_WASTED_BYTES = 300_000_000  # unpacked in vain from damaged entries: a seco
 class TeamError(RcjError):
     """A team's folder or archive cannot be used; the message says why, ``help`` what to do."""
 
-    CODE = UNUSABLE_TEAM
+    CODE = codes.UNUSABLE_TEAM
 
 
 Files = dict[PurePosixPath, bytes]
@@ -137,7 +113,7 @@ def read_contents(path: Path) -> Contents:
             # There "my team\\" --blue … is read as one name: the backslash makes the quotation mark a letter.
             swallowed = "remove the backslash at its end" if os.sep == "\\" and '"' in str(path) else ""
             message = f"{safe_text(path, MAX_PATH_SHOWN)}: there is no such file or folder"
-            raise TeamError(message, swallowed, code=NO_SUCH_TEAM)
+            raise TeamError(message, swallowed, code=codes.NO_SUCH_TEAM)
         if not path.is_file():
             raise TeamError(f"{safe_text(path, MAX_PATH_SHOWN)}: this is neither a file nor a folder", code=CANNOT_OPEN)
         if path.suffix.casefold() == ".py":
@@ -168,7 +144,7 @@ def _from_program(path: Path) -> Contents:
 
 def _too_large(size: int) -> Diagnostic:
     message = f"{size / 1e6:.1f} MB is more than the {MAX_PACKED_BYTES // 1_000_000} MB allowed"
-    return Diagnostic(ARCHIVE_TOO_LARGE, message, "leave out what the programs do not need")
+    return Diagnostic(codes.ARCHIVE_TOO_LARGE, message, "leave out what the programs do not need")
 
 
 class _Folders:
@@ -183,18 +159,18 @@ class _Folders:
             return
         if len(folder.parts) > MAX_DEPTH:
             message = f"{safe_text(folder)} lies too deep: at most {MAX_DEPTH} folders may lie in one another"
-            raise UnreadableError(ARCHIVE_TOO_DEEP, message, _FEWER_FOLDERS)
+            raise UnreadableError(codes.ARCHIVE_TOO_DEEP, message, _FEWER_FOLDERS)
         self._known.update((folder, *folder.parents))
         if len(self._known) > MAX_FOLDERS:
             message = f"there are more than {MAX_FOLDERS} folders"
-            raise UnreadableError(ARCHIVE_TOO_MANY_FOLDERS, message, _FEWER_FOLDERS)
+            raise UnreadableError(codes.ARCHIVE_TOO_MANY_FOLDERS, message, _FEWER_FOLDERS)
 
 
 _FEWER_FOLDERS = "leave out what the programs do not need"
 
 
 def _no_files() -> Diagnostic:
-    return Diagnostic(ARCHIVE_EMPTY, "there are no files in it", "is this the folder of the robot programs?")
+    return Diagnostic(codes.ARCHIVE_EMPTY, "there are no files in it", "is this the folder of the robot programs?")
 
 
 def _unreadable(kind: Literal["folder", "zip", "program"], *troubles: Diagnostic) -> Contents:
@@ -220,10 +196,12 @@ def _from_folder(folder: Path) -> Contents:
         if total > MAX_UNPACKED_BYTES or len(files) >= MAX_FILES:
             message = f"more than {MAX_FILES} files or {MAX_UNPACKED_BYTES // 1_000_000} MB"
             help_ = "is this the folder of the robot programs?"
-            return _unreadable("folder", *troubles, Diagnostic(ARCHIVE_TOO_MANY, message, help_))
+            return _unreadable("folder", *troubles, Diagnostic(codes.ARCHIVE_TOO_MANY, message, help_))
         if relative in files:
             message = f"{safe_text(relative)} is there twice, with letters composed and taken apart; one is left out"
-            troubles.add(Diagnostic(ARCHIVE_COLLISION, message, "delete one", safe_text(relative), level="warning"))
+            troubles.add(
+                Diagnostic(codes.ARCHIVE_COLLISION, message, "delete one", safe_text(relative), level="warning")
+            )
         files[relative] = path.read_bytes()
     # Names that only another computer refuses do not matter in a folder.
     for trouble in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
@@ -254,9 +232,9 @@ def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Diagnosti
     if leads_out:
         message = f"{shown} is a link that leads out of the folder"
         help_ = f"copy the {'folder' if is_folder else 'file'} instead"
-        return Diagnostic(ARCHIVE_LINK, message, help_, shown)
+        return Diagnostic(codes.ARCHIVE_LINK, message, help_, shown)
     message = f"{shown} is a link to a folder: it is left out"
-    return Diagnostic(ARCHIVE_LINK_INSIDE, message, "copy the folder, if programs need it there", shown)
+    return Diagnostic(codes.ARCHIVE_LINK_INSIDE, message, "copy the folder, if programs need it there", shown)
 
 
 def _walk(folder: Path) -> Iterator[Path]:
@@ -290,11 +268,11 @@ def _from_zip(path: Path) -> Contents:
         data = head + file.read(max(0, MAX_PACKED_BYTES + 1 - len(head)))
     if not data:
         message, help_ = "the file is empty: this is not a ZIP archive", "pack the folder as a ZIP archive"
-        return _unreadable("zip", Diagnostic(ARCHIVE_EMPTY, message, help_))
+        return _unreadable("zip", Diagnostic(codes.ARCHIVE_EMPTY, message, help_))
     for at, magic, kind in _KINDS:
         if head[at:].startswith(magic):
             message, help_ = f"this is {kind}, not a ZIP", "pack the folder as a ZIP archive"
-            return _unreadable("zip", Diagnostic(ARCHIVE_OTHER_KIND, message, help_))
+            return _unreadable("zip", Diagnostic(codes.ARCHIVE_OTHER_KIND, message, help_))
     if max(size, len(data)) > MAX_PACKED_BYTES:
         return _unreadable("zip", _too_large(max(size, len(data))))
     return _ZipReading(data).contents()
@@ -349,12 +327,12 @@ class _ZipReading:
         if len(entries) > MAX_FILES:
             self._complete = False
             help_ = "pack the folder of the robot programs only"
-            self._refuse(ARCHIVE_TOO_MANY, f"the archive has more than {MAX_FILES} files", help_)
+            self._refuse(codes.ARCHIVE_TOO_MANY, f"the archive has more than {MAX_FILES} files", help_)
             return
         if any("\\" in entry.name for entry in entries):
             message = "folders and files are separated by backslashes, which few programs understand"
             help_ = "pack the folder again with another program"
-            self._troubles.add(Diagnostic(ARCHIVE_BACKSLASHES, message, help_, repair=True))
+            self._troubles.add(Diagnostic(codes.ARCHIVE_BACKSLASHES, message, help_, repair=True))
         for entry in entries:
             try:
                 self._read(entry)
@@ -373,27 +351,27 @@ class _ZipReading:
         message = f"unpacked, it is more than {self._most // 1_000_000} MB"
         if self._most < MAX_UNPACKED_BYTES:
             message += f" and more than {MAX_RATIO} times its size"
-        self._refuse(ARCHIVE_BOMB, message, "leave out what the programs do not need", where)
+        self._refuse(codes.ARCHIVE_BOMB, message, "leave out what the programs do not need", where)
 
     def _read(self, entry: zip_reader.Entry) -> None:
         shown = safe_text(entry.name)
         if entry.encrypted:
             self._complete = False
-            self._refuse(ARCHIVE_ENCRYPTED, f"'{shown}' is encrypted", "pack the ZIP without a password", shown)
+            self._refuse(codes.ARCHIVE_ENCRYPTED, f"'{shown}' is encrypted", "pack the ZIP without a password", shown)
             return
         if entry.special:
-            self._refuse(ARCHIVE_LINK, f"'{shown}' is a link or a device", "pack the file itself", shown)
+            self._refuse(codes.ARCHIVE_LINK, f"'{shown}' is a link or a device", "pack the file itself", shown)
             return
         if entry.unknown_method:
             self._complete = False
             message = f"'{shown}' is packed in a way that not every program can unpack ({entry.unknown_method})"
-            self._refuse(ARCHIVE_METHOD, message, "pack the folder again, as an ordinary ZIP archive", shown)
+            self._refuse(codes.ARCHIVE_METHOD, message, "pack the folder again, as an ordinary ZIP archive", shown)
             return
         content, lie = zip_reader.unpack(self._data, entry, self._left)
         self._left -= len(content)
         if lie:
             help_ = "pack the folder again"
-            self._troubles.add(Diagnostic(ARCHIVE_HEADERS, lie, help_, shown, repair=True))
+            self._troubles.add(Diagnostic(codes.ARCHIVE_HEADERS, lie, help_, shown, repair=True))
         self._take(entry.name, content)
 
     def _take(self, name: str, content: bytes) -> None:
@@ -406,7 +384,7 @@ class _ZipReading:
         elif path in self._files and self._spelled[folded(path)] == spelled:
             same = self._files[path] == content
             message = f"'{safe_text(path)}' is in the archive twice" + ("" if same else ", with different contents")
-            self._refuse(ARCHIVE_DUPLICATE, message, "keep one of them", safe_text(path), repair=same)
+            self._refuse(codes.ARCHIVE_DUPLICATE, message, "keep one of them", safe_text(path), repair=same)
         elif self._fits(spelled):
             self._files[path] = content
 
@@ -416,7 +394,7 @@ class _ZipReading:
             other = self._spelled.setdefault(folded(place), place)
             if other != place:
                 message = f"{safe_text(place)} and {safe_text(other)} are one file on some computers"
-                self._refuse(ARCHIVE_COLLISION, message, "rename one", safe_text(place))
+                self._refuse(codes.ARCHIVE_COLLISION, message, "rename one", safe_text(place))
                 return False
         return True
 
@@ -424,14 +402,14 @@ class _ZipReading:
         for path in [path for path in self._files if not self._files.keys().isdisjoint(path.parents)]:
             del self._files[path]
             message = f"{safe_text(path)} lies in a folder that is a file as well"
-            self._refuse(ARCHIVE_COLLISION, message, "rename one", safe_text(path))
+            self._refuse(codes.ARCHIVE_COLLISION, message, "rename one", safe_text(path))
 
     def _report_leftovers(self, entries: list[zip_reader.Entry]) -> None:
         if not entries:
             return
         message = f"other programs left behind what is not used: {_some(entries)}"
         help_ = "delete them before packing"
-        self._troubles.add(Diagnostic(ARCHIVE_LEFTOVERS, message, help_, repair=True))
+        self._troubles.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, repair=True))
 
     def _without_records(self, entries: list[zip_reader.Entry]) -> list[zip_reader.Entry]:
         """Leave out records of runs, and report them: they get packed with a team's working folder."""
@@ -440,7 +418,7 @@ class _ZipReading:
         records = record_folders(files, folders)
         for record in sorted(records):
             message, help_ = f"{safe_text(record)} is the record of a run: it is not used", "delete it before packing"
-            self._troubles.add(Diagnostic(ARCHIVE_LEFTOVERS, message, help_, safe_text(record), repair=True))
+            self._troubles.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, safe_text(record), repair=True))
         of_records = {
             entry.name for entry in short if not records.isdisjoint([path_of(entry.name), *path_of(entry.name).parents])
         }
@@ -451,21 +429,23 @@ class _ZipReading:
             return
         message = f"the archive does not say how its names are encoded; they may be read wrongly: {_some(entries)}"
         help_ = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
-        self._troubles.add(Diagnostic(ARCHIVE_NAME_GUESSED, message, help_))
+        self._troubles.add(Diagnostic(codes.ARCHIVE_NAME_GUESSED, message, help_))
 
     def _report_folders(self, entries: list[zip_reader.Entry]) -> None:
         for entry in entries:
             for trouble in name_problems(entry.name) if path_of(entry.name).parts else ():  # "./" is harmless
                 if trouble.code == "archive.outside":
                     # A folder without its files is not missed.
-                    self._troubles.add(replace(trouble, code=ARCHIVE_OUTSIDE_FOLDER, repair=True))
+                    self._troubles.add(replace(trouble, code=codes.ARCHIVE_OUTSIDE_FOLDER, repair=True))
             if entry.special:
-                self._refuse(ARCHIVE_LINK, f"'{safe_text(entry.name)}' is a link or a device", "pack the folder itself")
+                self._refuse(
+                    codes.ARCHIVE_LINK, f"'{safe_text(entry.name)}' is a link or a device", "pack the folder itself"
+                )
         have = {path_of(entry.name) for entry in entries}
         needed = {parent for path in self._files for parent in list(path.parents)[:-1]}
         if needed - have:
             message = "the archive has no entries of their own for its folders, which does no harm"
-            self._troubles.add(Diagnostic(ARCHIVE_NO_FOLDERS, message, repair=True))
+            self._troubles.add(Diagnostic(codes.ARCHIVE_NO_FOLDERS, message, repair=True))
 
 
 def _some(entries: list[zip_reader.Entry]) -> str:
@@ -481,4 +461,4 @@ def _report_nested(files: Files, troubles: Problems) -> None:
             shown = safe_text(path)
             message = f"{shown} is {kind} inside the submission, which is not unpacked"
             help_ = "pack what is in it instead, if the programs need it"
-            troubles.add(Diagnostic(ARCHIVE_NESTED, message, help_, shown))
+            troubles.add(Diagnostic(codes.ARCHIVE_NESTED, message, help_, shown))

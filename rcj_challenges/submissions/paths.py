@@ -10,15 +10,7 @@ from pathlib import PurePosixPath
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.files import is_device_of_windows
-from rcj_challenges.submissions.codes import (
-    ARCHIVE_NAME_CONTROL,
-    ARCHIVE_NAME_ENCODING,
-    ARCHIVE_NAME_ENDING,
-    ARCHIVE_NAME_FORBIDDEN,
-    ARCHIVE_NAME_LONG,
-    ARCHIVE_NAME_RESERVED,
-    ARCHIVE_OUTSIDE,
-)
+from rcj_challenges.submissions import codes
 from rcj_challenges.submissions.problems import safe_text
 
 MAX_PATH_LETTERS = 160
@@ -107,7 +99,7 @@ def name_problems(name: str) -> Iterator[Diagnostic]:
     path = path_of(name)
     if path.is_absolute() or ".." in path.parts or not path.parts or _DRIVE.match(name):
         yield Diagnostic(
-            ARCHIVE_OUTSIDE,
+            codes.ARCHIVE_OUTSIDE,
             f"'{shown}' leads out of the archive",
             "pack the folder itself, without .. and without the way to it",
             shown,
@@ -119,7 +111,9 @@ def name_problems(name: str) -> Iterator[Diagnostic]:
         yield Diagnostic(code, message, _RENAME, shown, repair=mendable)
     if len(str(path)) > MAX_PATH_LETTERS or any(len(_encoded(part)) > MAX_PART_BYTES for part in path.parts):
         message = f"'{shown}' has too long a name: at most {MAX_PATH_LETTERS} letters with its folders"
-        yield Diagnostic(ARCHIVE_NAME_LONG, message, "give files and folders shorter names", shown, repair=mendable)
+        yield Diagnostic(
+            codes.ARCHIVE_NAME_LONG, message, "give files and folders shorter names", shown, repair=mendable
+        )
 
 
 def _without_drive(name: str) -> str:
@@ -129,19 +123,19 @@ def _without_drive(name: str) -> str:
 def _letter_problems(path: PurePosixPath, shown: str) -> Iterator[tuple[Code, str]]:
     letters = frozenset(str(path))
     if any(unicodedata.category(letter) in ("Cc", "Cf", "Zl", "Zp") for letter in letters):
-        yield ARCHIVE_NAME_CONTROL, f"'{shown}' has control characters in its name"
+        yield codes.ARCHIVE_NAME_CONTROL, f"'{shown}' has control characters in its name"
     if any("\ud800" <= letter <= "\udfff" for letter in letters):
-        yield ARCHIVE_NAME_ENCODING, f"'{shown}' is not a name in UTF-8"
+        yield codes.ARCHIVE_NAME_ENCODING, f"'{shown}' is not a name in UTF-8"
     if not letters.isdisjoint(_FORBIDDEN):
         found = " ".join(sorted(letters & _FORBIDDEN))
-        yield ARCHIVE_NAME_FORBIDDEN, f"'{shown}' has letters that Windows does not allow in a name ({found})"
+        yield codes.ARCHIVE_NAME_FORBIDDEN, f"'{shown}' has letters that Windows does not allow in a name ({found})"
     for part in path.parts:
         if part == "..":
             continue
         if is_device_of_windows(part):
-            yield ARCHIVE_NAME_RESERVED, f"'{shown}' is the name of a device on Windows"
+            yield codes.ARCHIVE_NAME_RESERVED, f"'{shown}' is the name of a device on Windows"
         if part != part.rstrip(". "):
-            yield ARCHIVE_NAME_ENDING, f"'{shown}' ends in a dot or a space, which Windows removes"
+            yield codes.ARCHIVE_NAME_ENDING, f"'{shown}' ends in a dot or a space, which Windows removes"
 
 
 def clean(name: str) -> PurePosixPath | None:

@@ -10,22 +10,8 @@ from pathlib import PurePosixPath
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.similarity import similarity
+from rcj_challenges.submissions import codes
 from rcj_challenges.submissions.archive import Files
-from rcj_challenges.submissions.codes import (
-    IDENTITY_NAME_BOM,
-    IDENTITY_NAME_DOCUMENT,
-    IDENTITY_NAME_EMPTY,
-    IDENTITY_NAME_ENCODING,
-    IDENTITY_NAME_FILE,
-    IDENTITY_NAME_LINE_ENDS,
-    IDENTITY_NAME_LINES,
-    IDENTITY_NAME_LONG,
-    IDENTITY_NAME_MISSING,
-    IDENTITY_NAME_QUOTES,
-    IDENTITY_NAME_SIGNS,
-    IDENTITY_NAME_UNSAFE,
-    IDENTITY_NAME_UTF16,
-)
 from rcj_challenges.submissions.problems import safe_text
 
 MAX_NAME_LETTERS = 32
@@ -76,7 +62,7 @@ def find_team_name(files: Files, fallback: str) -> TeamName:
     name = safe_name(lines[0]) if lines else ""
     if not name:
         message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
-        more = (*more, _warning(IDENTITY_NAME_EMPTY, message, "write the team's name into it", repair=False))
+        more = (*more, _warning(codes.IDENTITY_NAME_EMPTY, message, "write the team's name into it", repair=False))
         return TeamName(instead, path, given=False, troubles=(*troubles, *more))
     about = _line_problems(lines, name)
     if any(trouble.code == "identity.name_encoding" for trouble in more):
@@ -117,15 +103,19 @@ def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Diagnostic, ..
             message, help_ = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
         else:
             message, help_ = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
-        return path, (Diagnostic(IDENTITY_NAME_FILE, message, help_, shown, repair=True),)
+        return path, (Diagnostic(codes.IDENTITY_NAME_FILE, message, help_, shown, repair=True),)
     document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
     if document is not None:
         message = f"{safe_text(document)} is not plain text: the name is taken from the file's"
         return None, (
-            _warning(IDENTITY_NAME_DOCUMENT, message, f"save the name as plain text in {NAME_FILE}", repair=False),
+            _warning(
+                codes.IDENTITY_NAME_DOCUMENT, message, f"save the name as plain text in {NAME_FILE}", repair=False
+            ),
         )
     message = f"there is no {NAME_FILE}: the name is taken from the file's"
-    return None, (_warning(IDENTITY_NAME_MISSING, message, "add it, with the team's name in one line", repair=False),)
+    return None, (
+        _warning(codes.IDENTITY_NAME_MISSING, message, "add it, with the team's name in one line", repair=False),
+    )
 
 
 def may_be_name_file(path: PurePosixPath) -> bool:
@@ -152,23 +142,25 @@ def _decoded(content: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
     troubles = []
     if marked:
         message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
-        troubles.append(_note(IDENTITY_NAME_UTF16, message, repair=True))
+        troubles.append(_note(codes.IDENTITY_NAME_UTF16, message, repair=True))
     elif "\ufffd" in text and "\ufffd".encode() not in content:
         # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
         if any(letter > "\x7f" for letter in text.replace("\ufffd", "")):
             message = f"{NAME_FILE} is not in UTF-8: letters that cannot be read are shown as \ufffd"
-            troubles.append(_warning(IDENTITY_NAME_ENCODING, message, "save it in UTF-8", repair=False))
+            troubles.append(_warning(codes.IDENTITY_NAME_ENCODING, message, "save it in UTF-8", repair=False))
         else:
             text = content.decode("cp1252", "replace")
             message = f"{NAME_FILE} is not in UTF-8: it was read as Windows-1252, the letters of Western Europe"
             help_ = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
-            troubles.append(_warning(IDENTITY_NAME_ENCODING, f"{message}, which may be wrong", help_, repair=False))
+            troubles.append(
+                _warning(codes.IDENTITY_NAME_ENCODING, f"{message}, which may be wrong", help_, repair=False)
+            )
     elif content.startswith(codecs.BOM_UTF8):
         message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
-        troubles.append(_note(IDENTITY_NAME_BOM, message, repair=True))
+        troubles.append(_note(codes.IDENTITY_NAME_BOM, message, repair=True))
     if "\r" in text:
         message = f"{NAME_FILE} has the line ends of Windows, which are not part of the name"
-        troubles.append(_note(IDENTITY_NAME_LINE_ENDS, message, repair=True))
+        troubles.append(_note(codes.IDENTITY_NAME_LINE_ENDS, message, repair=True))
     return text, tuple(troubles)
 
 
@@ -177,17 +169,19 @@ def _line_problems(lines: list[str], name: str) -> list[Diagnostic]:
     found = []
     if len(lines) > 1:
         message = f"{NAME_FILE} has several lines: the first is the name ({name})"
-        found.append(_warning(IDENTITY_NAME_LINES, message, "leave one line"))
+        found.append(_warning(codes.IDENTITY_NAME_LINES, message, "leave one line"))
     if len(line) > MAX_NAME_LETTERS:
         message = f"the name is longer than {MAX_NAME_LETTERS} letters and is shown as '{name}'"
-        found.append(_warning(IDENTITY_NAME_LONG, message, "choose a shorter one"))
+        found.append(_warning(codes.IDENTITY_NAME_LONG, message, "choose a shorter one"))
     if safe_name(line[:MAX_NAME_LETTERS]) != line[:MAX_NAME_LETTERS].rstrip():
         message = f"the name in {NAME_FILE} has letters that cannot be seen; it is shown as '{name}'"
         found.append(
-            _warning(IDENTITY_NAME_UNSAFE, message, f"write it with at most {MAX_NAME_LETTERS} printable letters")
+            _warning(codes.IDENTITY_NAME_UNSAFE, message, f"write it with at most {MAX_NAME_LETTERS} printable letters")
         )
     if name[0] in _QUOTES or name[-1] in _QUOTES:
-        found.append(_note(IDENTITY_NAME_QUOTES, f"the quotation marks are part of the name: {name}"))
+        found.append(_note(codes.IDENTITY_NAME_QUOTES, f"the quotation marks are part of the name: {name}"))
     elif any(letter in "./\\<>&!;:|" for letter in name):
-        found.append(_note(IDENTITY_NAME_SIGNS, f"the name is shown as it is, and no file is named after it: {name}"))
+        found.append(
+            _note(codes.IDENTITY_NAME_SIGNS, f"the name is shown as it is, and no file is named after it: {name}")
+        )
     return found

@@ -15,19 +15,7 @@ from dataclasses import dataclass
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
-from rcj_challenges.submissions.codes import (
-    ARCHIVE_DAMAGED,
-    ARCHIVE_DECEPTIVE,
-    ARCHIVE_HEADERS,
-    ARCHIVE_NOT_ZIP,
-    ARCHIVE_OVERLAP,
-    ARCHIVE_PREPENDED,
-    ARCHIVE_SPLIT,
-    ARCHIVE_TOO_MANY,
-    ARCHIVE_TRAILING,
-    ARCHIVE_TRUNCATED,
-    ARCHIVE_TWO,
-)
+from rcj_challenges.submissions import codes
 from rcj_challenges.submissions.problems import Problems, safe_text
 
 MAX_ENTRIES = 10_000
@@ -133,7 +121,7 @@ def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
     entries = list(_entries(data, bounds))
     if len(entries) != bounds.count:
         message = f"the archive says it has {counted(bounds.count, 'entry', 'entries')}, and has {len(entries)}"
-        troubles.add(Diagnostic(ARCHIVE_HEADERS, message, _PACK_AGAIN, repair=True))
+        troubles.add(Diagnostic(codes.ARCHIVE_HEADERS, message, _PACK_AGAIN, repair=True))
     _check_overlap(entries, bounds)
     return entries
 
@@ -170,7 +158,7 @@ def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
 
 def _damaged(entry: Entry, message: str) -> UnreadableError:
     shown = safe_text(entry.name)
-    return UnreadableError(ARCHIVE_DAMAGED, f"'{shown}' is damaged: it {message}", where=shown)
+    return UnreadableError(codes.ARCHIVE_DAMAGED, f"'{shown}' is damaged: it {message}", where=shown)
 
 
 def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
@@ -187,11 +175,11 @@ def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
             return bounds
     if data.startswith((b"PK\x03\x04", b"PK\x05\x06")):
         raise UnreadableError(
-            ARCHIVE_TRUNCATED,
+            codes.ARCHIVE_TRUNCATED,
             "not a ZIP archive, or a damaged one: its end is missing or damaged",
             "copy or upload it once more, or pack the folder again",
         )
-    raise UnreadableError(ARCHIVE_NOT_ZIP, "this is not a ZIP archive", "pack the folder as a ZIP archive")
+    raise UnreadableError(codes.ARCHIVE_NOT_ZIP, "this is not a ZIP archive", "pack the folder as a ZIP archive")
 
 
 def _bounds_at(data: bytes, at: int, troubles: Problems) -> _Bounds | None:
@@ -216,18 +204,18 @@ def _bounds_at(data: bytes, at: int, troubles: Problems) -> _Bounds | None:
     if offset > start or at + _END.size + comment > len(data):
         return None
     if disk or first_disk or here != count:
-        raise UnreadableError(ARCHIVE_SPLIT, "this is one part of an archive in several parts", _PACK_AGAIN)
+        raise UnreadableError(codes.ARCHIVE_SPLIT, "this is one part of an archive in several parts", _PACK_AGAIN)
     if count > MAX_ENTRIES:
         raise _too_many()
     rest = len(data) - (at + _END.size + comment)
     if rest:
         message = _stray(rest, "follows", "follow")
-        troubles.add(Diagnostic(ARCHIVE_TRAILING, message, _PACK_AGAIN, repair=True))
+        troubles.add(Diagnostic(codes.ARCHIVE_TRAILING, message, _PACK_AGAIN, repair=True))
     if offset < start and data.startswith(b"PK\x03\x04"):
-        raise UnreadableError(ARCHIVE_TWO, "these are two archives in one file", _PACK_AGAIN)
+        raise UnreadableError(codes.ARCHIVE_TWO, "these are two archives in one file", _PACK_AGAIN)
     if offset < start:
         message = _stray(start - offset, "stands before", "stand before")
-        troubles.add(Diagnostic(ARCHIVE_PREPENDED, message, _PACK_AGAIN, repair=True))
+        troubles.add(Diagnostic(codes.ARCHIVE_PREPENDED, message, _PACK_AGAIN, repair=True))
     return _Bounds(start, end, start - offset, count)
 
 
@@ -239,7 +227,7 @@ def _stray(count: int, stands: str, stand: str) -> str:
 
 def _too_many() -> UnreadableError:
     return UnreadableError(
-        ARCHIVE_TOO_MANY,
+        codes.ARCHIVE_TOO_MANY,
         f"the archive has more than {MAX_ENTRIES} entries",
         "pack the folder of the robot programs only",
     )
@@ -265,7 +253,7 @@ def _entries(data: bytes, bounds: _Bounds) -> Iterator[Entry]:
             return
         if at + _ENTRY.size > bounds.end or data[at : at + 4] != b"PK\x01\x02":
             message = f"the archive's table of contents is damaged after {counted(number, 'entry', 'entries')}"
-            raise UnreadableError(ARCHIVE_DAMAGED, message)
+            raise UnreadableError(codes.ARCHIVE_DAMAGED, message)
         fields = _ENTRY.unpack_from(data, at)
         (_, _, _, flags, method, _, _, crc, packed, size, name_size, extra_size, comment_size) = fields[:13]
         disk, _, outer, offset = fields[13:]
@@ -273,11 +261,11 @@ def _entries(data: bytes, bounds: _Bounds) -> Iterator[Entry]:
         extra_at = name_at + name_size
         at = extra_at + extra_size + comment_size
         if at > bounds.end:
-            raise UnreadableError(ARCHIVE_DAMAGED, "the archive's table of contents breaks off")
+            raise UnreadableError(codes.ARCHIVE_DAMAGED, "the archive's table of contents breaks off")
         raw_name = data[name_at:extra_at]
         packed, size, offset = _widened(data[extra_at : extra_at + extra_size], packed, size, offset)
         if disk not in (0, _ALL_ONES_16):
-            raise UnreadableError(ARCHIVE_SPLIT, "this is one part of an archive in several parts")
+            raise UnreadableError(codes.ARCHIVE_SPLIT, "this is one part of an archive in several parts")
         name = _decoded(raw_name, flags)
         yield Entry(name, raw_name, flags, method, crc, packed, size, outer >> 16, offset + bounds.shift)
     raise _too_many()
@@ -321,11 +309,11 @@ def _check_overlap(entries: list[Entry], bounds: _Bounds) -> None:
         shown = safe_text(entry.name)
         if entry.offset < end:
             message = f"'{shown}' shares its bytes with another entry"
-            raise UnreadableError(ARCHIVE_OVERLAP, message, where=shown)
+            raise UnreadableError(codes.ARCHIVE_OVERLAP, message, where=shown)
         end = entry.offset + _LOCAL.size + len(entry.raw_name) + entry.packed
         if end > bounds.start:
             message = f"'{shown}' is said to lie outside of the archive"
-            raise UnreadableError(ARCHIVE_DAMAGED, message, where=shown)
+            raise UnreadableError(codes.ARCHIVE_DAMAGED, message, where=shown)
 
 
 def _content_start(data: bytes, entry: Entry) -> tuple[int, str]:
@@ -341,7 +329,7 @@ def _content_start(data: bytes, entry: Entry) -> tuple[int, str]:
     raw_name = data[at + _LOCAL.size : at + _LOCAL.size + name_size]
     if raw_name != entry.raw_name or method != entry.method or (flags ^ entry.flags) & _ENCRYPTED:
         message = f"'{shown}' has another name or method in the table of contents than in its own header"
-        raise UnreadableError(ARCHIVE_DECEPTIVE, message, where=shown)
+        raise UnreadableError(codes.ARCHIVE_DECEPTIVE, message, where=shown)
     said = ((crc, entry.crc), (packed, entry.packed), (size, entry.size))
     if not flags & _SIZES_FOLLOW and any(here not in (there, _ALL_ONES_32) for here, there in said):
         return start, f"'{shown}' has another size or checksum in the table of contents than in its own header"

@@ -11,20 +11,7 @@ from rcj_challenges.core.diagnostics import Diagnostic, InTree
 from rcj_challenges.scenario.codes import MISSING_KEY
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
-from rcj_challenges.tournament.codes import (
-    AMBIGUOUS_TIME,
-    NO_SOURCE,
-    SAME_NAME,
-    TOO_FEW_TEAMS,
-    UNDECIDED_PLACES,
-    UNKNOWN_TIME_ZONE,
-    UNREACHABLE_STAGE,
-    USELESS_TIE_BREAK,
-    WRONG_PLACES,
-    WRONG_RELEASE,
-    WRONG_SEATS,
-    WRONG_TIME,
-)
+from rcj_challenges.tournament import codes
 from rcj_challenges.tournament.errors import did_you_mean
 from rcj_challenges.tournament.formats import Stage
 from rcj_challenges.tournament.formats.stage import Intake, StageSize
@@ -74,16 +61,16 @@ class Checks:
         elif self.are_teams_known and len(self.teams) < 2:
             where = ("teams",) if self.tournament.teams else ("teams_folder",)
             message = f"{len(self.teams)} team(s); a tournament has at least two"
-            yield self._at(where, TOO_FEW_TEAMS, message, "add teams")
+            yield self._at(where, codes.TOO_FEW_TEAMS, message, "add teams")
 
     def _tie_breaks(self) -> Iterator[Diagnostic]:
         words = self.tournament.tie_breaks
         for index, word in enumerate(words):
             where = ("tie_breaks", index)
             if word in words[:index]:
-                yield self._at(where, USELESS_TIE_BREAK, f"'{word}' is listed twice", "keep the first")
+                yield self._at(where, codes.USELESS_TIE_BREAK, f"'{word}' is listed twice", "keep the first")
             elif word == "lot" and index < len(words) - 1:
-                yield self._at(where, USELESS_TIE_BREAK, "after 'lot' nothing is level", "put 'lot' last")
+                yield self._at(where, codes.USELESS_TIE_BREAK, "after 'lot' nothing is level", "put 'lot' last")
 
     def _same_names(self) -> Iterator[Diagnostic]:
         """Refuse names of pages that are one file on Windows and macOS."""
@@ -95,7 +82,7 @@ class Checks:
                 twin = first.setdefault(name.casefold(), name)
                 if twin != name:
                     message = f"the names '{twin}' and '{name}' differ by case only"
-                    yield self._at((*path, name), SAME_NAME, message, "give one of them another name")
+                    yield self._at((*path, name), codes.SAME_NAME, message, "give one of them another name")
 
     def _times(self) -> Iterator[Diagnostic]:
         name = self.tournament.time_zone
@@ -103,7 +90,7 @@ class Checks:
             zone = ZoneInfo(name)
         except (KeyError, ValueError, OSError):
             help_ = "write it as Europe/Berlin or UTC"
-            yield self._at(("time_zone",), UNKNOWN_TIME_ZONE, f"unknown time zone '{name}'", help_)
+            yield self._at(("time_zone",), codes.UNKNOWN_TIME_ZONE, f"unknown time zone '{name}'", help_)
             return
         help_ = f"write it as 2021-06-22 18:00, a time in {name} (time_zone)"
         for stage_name, stage in self.tournament.stages.items():
@@ -115,19 +102,19 @@ class Checks:
                 try:
                     moments = moments_of(text, zone)
                 except (ValueError, OverflowError):
-                    yield self._at(path, WRONG_TIME, f"there is no time '{text}'", help_)
+                    yield self._at(path, codes.WRONG_TIME, f"there is no time '{text}'", help_)
                     continue
                 if not moments:
                     message = f"there is no '{text}' in {name}: the clock is put forward over it"
-                    yield self._at(path, WRONG_TIME, message, "choose a time before or after that")
+                    yield self._at(path, codes.WRONG_TIME, message, "choose a time before or after that")
                     continue
                 if len(moments) > 1:
                     both = " and ".join(f"{one.astimezone(zone):%H:%M %Z} ({one:%H:%M} UTC)" for one in moments)
                     message = f"'{text}' comes twice in {name}, because the clock is put back: {both}"
                     advice = "the first is used; take a time outside of that hour, or write all in UTC: time_zone: UTC"
-                    yield self._at(path, AMBIGUOUS_TIME, message, advice)
+                    yield self._at(path, codes.AMBIGUOUS_TIME, message, advice)
                 if before is not None and moments[0] < before:
-                    yield self._at(path, WRONG_TIME, f"'{text}' is before the round before it", "order the times")
+                    yield self._at(path, codes.WRONG_TIME, f"'{text}' is before the round before it", "order the times")
                 before = moments[0]
 
     def _seats(self) -> Iterator[Diagnostic]:
@@ -138,7 +125,7 @@ class Checks:
                 yield from self._seat_count(path, use, {stage.SEATS})
                 info = self.scenarios.get(use)
                 for message, help_ in stage.scenario_problems(info) if info is not None else ():
-                    yield self._at(path, WRONG_SEATS, message, help_)
+                    yield self._at(path, codes.WRONG_SEATS, message, help_)
         tie = self.tournament.drawn.tie_scenario
         if tie is not None:
             path = ("drawn", "tie_scenario", "scenario")
@@ -150,7 +137,7 @@ class Checks:
             need = " or ".join(map(str, sorted(wanted)))
             message = f"scenario '{info.id}' has {len(info.seats)} seat(s) ({listing(info.seats)}); {need} needed here"
             help_ = "matches are played by two, challenges by one"
-            yield self._at(path, WRONG_SEATS, message, help_)
+            yield self._at(path, codes.WRONG_SEATS, message, help_)
 
     # --- where teams come from ----------------------------------------------------------------------------------------
 
@@ -163,21 +150,21 @@ class Checks:
         if stage.from_ is None:
             if stage.places is not None:
                 message = "'places' says nothing without 'from'"
-                yield self._at((*path, "places"), NO_SOURCE, message, "add 'from', or remove 'places'")
+                yield self._at((*path, "places"), codes.NO_SOURCE, message, "add 'from', or remove 'places'")
             return
         if stage.from_ not in before:
             is_later = stage.from_ in self.tournament.stages
             message = f"'{stage.from_}' is not played before '{name}'" if is_later else f"no stage '{stage.from_}'"
             help_ = did_you_mean(stage.from_, before, f"Earlier stages: {listing(before) or 'none'}")
-            yield self._at((*path, "from"), UNREACHABLE_STAGE, message, help_)
+            yield self._at((*path, "from"), codes.UNREACHABLE_STAGE, message, help_)
             return
         source = self.tournament.stages[stage.from_]
         if not source.RANKS_TEAMS:
             message = f"'{stage.from_}' ranks super teams, not teams"
-            yield self._at((*path, "from"), UNREACHABLE_STAGE, message, "take the teams from another stage")
+            yield self._at((*path, "from"), codes.UNREACHABLE_STAGE, message, "take the teams from another stage")
         if isinstance(stage.places, str) and (numbers := stage.place_range(0))[0] > numbers[1]:
             message = f"places {stage.places} begin after their end"
-            yield self._at((*path, "places"), WRONG_PLACES, message, f"write {numbers[1]}-{numbers[0]}")
+            yield self._at((*path, "places"), codes.WRONG_PLACES, message, f"write {numbers[1]}-{numbers[0]}")
 
     # --- one stage ----------------------------------------------------------------------------------------------------
 
@@ -188,7 +175,7 @@ class Checks:
             yield from self._places(path, stage, sizes[stage.from_])
         if size.teams < stage.MIN_TEAMS:
             message = f"{size.teams} team(s) come into this stage, at least {stage.MIN_TEAMS} needed"
-            yield self._at(path, TOO_FEW_TEAMS, message, "take more places, or remove the stage")
+            yield self._at(path, codes.TOO_FEW_TEAMS, message, "take more places, or remove the stage")
             return
         intake = Intake(size.teams, self.teams, self.names, self.scenarios)
         for one in stage.problems(intake, size):
@@ -196,7 +183,7 @@ class Checks:
             yield self._at((*path, *keys), one.code, one.message, one.help, one.level)
         if isinstance(stage.release, tuple) and len(stage.release) not in (1, size.rounds):
             message = f"{len(stage.release)} times of release for {size.rounds} rounds"
-            yield self._at((*path, "release"), WRONG_RELEASE, message, "give one time, or one for each round")
+            yield self._at((*path, "release"), codes.WRONG_RELEASE, message, "give one time, or one for each round")
         yield from self._undecided(name, stage, sizes)
 
     def _places(self, path: tuple[Step, ...], stage: FromModel, source: StageSize) -> Iterator[Diagnostic]:
@@ -205,7 +192,7 @@ class Checks:
                 where = f"group {group} of '{stage.from_}'" if group else f"'{stage.from_}'"
                 message = f"places {stage.places} of '{stage.from_}': {where} has {count} teams only"
                 help_ = "take fewer places, or add teams"
-                yield self._at((*path, "places"), TOO_FEW_TEAMS, message, help_)
+                yield self._at((*path, "places"), codes.TOO_FEW_TEAMS, message, help_)
                 return
 
     def _undecided(self, name: str, stage: Stage, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
@@ -219,4 +206,4 @@ class Checks:
         if stage.CAN_PLAY_OFF:
             help_ = f"set play_off: true in {name!r}, or {help_}"
         message = f"places after place {after} of '{name}' may be shared, and only some of these teams advance"
-        yield self._at(("stages", taker, "places"), UNDECIDED_PLACES, message, help_)
+        yield self._at(("stages", taker, "places"), codes.UNDECIDED_PLACES, message, help_)

@@ -16,14 +16,7 @@ from typing import TYPE_CHECKING, Self
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.tournament import cluster_worker
-from rcj_challenges.tournament.codes import (
-    CLUSTER_LOST,
-    CLUSTER_MISSING,
-    CLUSTER_NO_WORKERS,
-    CLUSTER_UNREACHABLE,
-    CLUSTER_WORKER_UNFIT,
-)
+from rcj_challenges.tournament import cluster_worker, codes
 from rcj_challenges.tournament.executor import POLL_INTERVAL_S, JobOutcome
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
 
@@ -87,7 +80,9 @@ class ClusterExecutor:
                 unfit = (
                     f"the worker {worker} cannot play these matches: {why}" for worker, why in self._refused.items()
                 )
-                raise DiagnosticError(*(Diagnostic(CLUSTER_WORKER_UNFIT, message, _UNFIT_HELP) for message in unfit))
+                raise DiagnosticError(
+                    *(Diagnostic(codes.CLUSTER_WORKER_UNFIT, message, _UNFIT_HELP) for message in unfit)
+                )
             self._note(notes)
         except BaseException:
             self._client.close()
@@ -197,7 +192,7 @@ class ClusterExecutor:
             if time.monotonic() > until_s:
                 message = f"the cluster at {self.address} has no workers"
                 help_ = f"start one on each computer: dask worker {self.address} --nthreads 2"
-                raise DiagnosticError(Diagnostic(CLUSTER_NO_WORKERS, message, help_))
+                raise DiagnosticError(Diagnostic(codes.CLUSTER_NO_WORKERS, message, help_))
             time.sleep(POLL_INTERVAL_S)
         return notes
 
@@ -253,16 +248,16 @@ def _connect(address: str) -> Client:
         from distributed import Client  # noqa: PLC0415 - an extra, and slow to import
     except ImportError as error:
         help_ = 'install it here and on each worker: pip install "rcj-challenges[cluster]"'
-        raise DiagnosticError(Diagnostic(CLUSTER_MISSING, "--cluster needs dask.distributed", help_)) from error
+        raise DiagnosticError(Diagnostic(codes.CLUSTER_MISSING, "--cluster needs dask.distributed", help_)) from error
     try:
         return Client(address, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError) as error:
         message = f"no cluster can be reached at {address}: {error}"
         help_ = "start one with 'dask scheduler', and give the address that it prints: tcp://192.168.0.7:8786"
-        raise DiagnosticError(Diagnostic(CLUSTER_UNREACHABLE, message, help_)) from error
+        raise DiagnosticError(Diagnostic(codes.CLUSTER_UNREACHABLE, message, help_)) from error
 
 
 def _lost(address: str) -> DiagnosticError:
     message = f"the connection to the cluster at {address} was lost"
     help_ = "start the scheduler and its workers, and run again: it continues where it stopped"
-    return DiagnosticError(Diagnostic(CLUSTER_LOST, message, help_))
+    return DiagnosticError(Diagnostic(codes.CLUSTER_LOST, message, help_))

@@ -18,14 +18,7 @@ from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
 from rcj_challenges.submissions.paths import ignored_folder
-from rcj_challenges.tournament.codes import (
-    NO_SUBMISSION,
-    SAME_TEAM_ID,
-    TEAMS_FOLDER,
-    TWO_SOURCES,
-    UNKNOWN_SAMPLE,
-    UNKNOWN_TEAM,
-)
+from rcj_challenges.tournament import codes
 from rcj_challenges.tournament.errors import did_you_mean
 from rcj_challenges.tournament.models import ChallengeScenario, General, TeamModel
 from rcj_challenges.tournament.season import Team
@@ -120,12 +113,12 @@ class TeamLists:
             paths = sorted((self.folder / name).iterdir()) if name is not None else []
         except (OSError, ValueError) as error:
             message = f"the folder '{name}' cannot be read: {format_error(error)}"
-            self._add(where, TEAMS_FOLDER, message, "create it, and put each team's ZIP into it")
+            self._add(where, codes.TEAMS_FOLDER, message, "create it, and put each team's ZIP into it")
             return {}
         strays = [path for path in paths if path.is_dir() and not _has_program(path)]
         if len(strays) > max(_MAX_STRAYS, len(paths) // 2):
             message = f"the folder '{name}' has {len(strays)} folders without programs, such as '{strays[0].name}'"
-            self._add(where, TEAMS_FOLDER, message, "give the folder in which each team has its ZIP")
+            self._add(where, codes.TEAMS_FOLDER, message, "give the folder in which each team has its ZIP")
             return {}
         for path in paths:
             is_folder = path.is_dir()
@@ -134,20 +127,20 @@ class TeamLists:
                 continue
             if not _is_inside(path):
                 message = f"'{path.name}' is a pipe, a device, or a link that does not lead to a file in the folder"
-                self._add(where, TEAMS_FOLDER, message, "put the team's ZIP itself there")
+                self._add(where, codes.TEAMS_FOLDER, message, "put the team's ZIP itself there")
                 continue
             key = id_of(path.name if is_folder else path.stem)
             twin = next((other for other in found if other.casefold() == key.casefold()), None)
             if twin is not None:
                 message = f"'{found[twin].name}' and '{path.name}' give the same team id '{twin}'"
-                self._add(where, SAME_TEAM_ID, message, "rename one of them, or remove it")
+                self._add(where, codes.SAME_TEAM_ID, message, "rename one of them, or remove it")
             found.setdefault(key if twin is None else twin, path)
         return found
 
     def _source(self, key: str, model: TeamModel, submitted: Mapping[str, Path]) -> Path | None:
-        code, message, help_ = NO_SUBMISSION, f"team '{key}' has no submission", ""
+        code, message, help_ = codes.NO_SUBMISSION, f"team '{key}' has no submission", ""
         if model.path is not None and model.sample is not None:
-            code, message, help_ = TWO_SOURCES, "both 'path' and 'sample' are given", "keep one of them"
+            code, message, help_ = codes.TWO_SOURCES, "both 'path' and 'sample' are given", "keep one of them"
         elif model.path is not None:
             if os.path.exists(self.folder / model.path):  # noqa: PTH110 - that of pathlib raises for odd names
                 return self.folder / model.path
@@ -156,7 +149,7 @@ class TeamLists:
             samples = sorted(one.name for one in teams_folder().iterdir() if one.is_dir())
             if model.sample in samples:
                 return teams_folder() / model.sample
-            code, message = UNKNOWN_SAMPLE, f"no sample team '{model.sample}'"
+            code, message = codes.UNKNOWN_SAMPLE, f"no sample team '{model.sample}'"
             help_ = did_you_mean(model.sample, samples, f"Sample teams: {listing(samples, 30)}")
         elif key in submitted:
             return submitted[key]
@@ -171,7 +164,7 @@ class TeamLists:
             twin = first.setdefault(key.casefold(), key)
             if twin != key:
                 message = f"the team ids '{twin}' and '{key}' differ by case only"
-                self._add(("teams", key), SAME_TEAM_ID, message, "give one of them another id", at_key=True)
+                self._add(("teams", key), codes.SAME_TEAM_ID, message, "give one of them another id", at_key=True)
 
     def _refuse_strangers(
         self, where: tuple[str, ...], submitted: Mapping[str, Path], entries: Mapping[str, TeamEntry]
@@ -180,7 +173,7 @@ class TeamLists:
             if key not in entries:
                 message = f"'{path.name}' is of no team of this tournament"
                 help_ = did_you_mean(key, entries, "Name it after its team's id, or remove it")
-                self._add(where, UNKNOWN_TEAM, message, help_)
+                self._add(where, codes.UNKNOWN_TEAM, message, help_)
 
 
 def _has_program(folder: Path) -> bool:

@@ -7,16 +7,7 @@ from difflib import get_close_matches
 
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.tournament.codes import (
-    NOT_PLAYED,
-    NOTHING_TO_UNDO,
-    RULING_ANNULLED,
-    RULING_REASON,
-    RULING_SCORE,
-    UNKNOWN_MATCH,
-    UNKNOWN_TEAM,
-    WITHDRAWN_TWICE,
-)
+from rcj_challenges.tournament import codes
 from rcj_challenges.tournament.models import LostBy
 from rcj_challenges.tournament.opened import OpenTournament, last_ruling, later_stages, sides_of
 from rcj_challenges.tournament.played import RulingKind
@@ -55,22 +46,24 @@ def decide(
     before = tournament.state()
     fixtures = {one.id: one for one in before.fixtures}
     if fixture_id not in fixtures:
-        raise _wrong(UNKNOWN_MATCH, f"there is no match '{fixture_id}' (yet)", _near(fixture_id, fixtures))
+        raise _wrong(codes.UNKNOWN_MATCH, f"there is no match '{fixture_id}' (yet)", _near(fixture_id, fixtures))
     fixture, reason = fixtures[fixture_id], _checked(reason)
     outcome = before.outcomes.get(fixture_id)
     is_settled = outcome is not None and outcome.ruled in (Ruled.ANNULLED, Ruled.WITHDRAWN)
     if is_settled and kind is not RulingKind.UNDONE:
         message = f"'{fixture_id}' cannot be ruled on: a team of it has left the tournament"
-        raise _wrong(RULING_ANNULLED, message, "first take the withdrawal back: --withdraw TEAM --undo")
+        raise _wrong(codes.RULING_ANNULLED, message, "first take the withdrawal back: --withdraw TEAM --undo")
     undone = last_ruling(tournament.held, fixture_id) if kind is RulingKind.UNDONE else None
     if kind is RulingKind.UNDONE and undone is None:
         raise _nothing_to_undo(fixture_id)
     if kind is RulingKind.FORFEIT:
         kind, scores = _forfeited(tournament, fixture, losers)
     elif kind is RulingKind.CORRECTED and len(scores) != len(fixture.sides):
-        raise _wrong(RULING_SCORE, f"'{fixture_id}' has {len(fixture.sides)} scores, not {len(scores)}", _SCORE_HELP)
+        raise _wrong(
+            codes.RULING_SCORE, f"'{fixture_id}' has {len(fixture.sides)} scores, not {len(scores)}", _SCORE_HELP
+        )
     elif kind is RulingKind.REPLAY and outcome is None:
-        raise _wrong(NOT_PLAYED, f"'{fixture_id}' has not been played yet", "there is nothing to be replayed")
+        raise _wrong(codes.NOT_PLAYED, f"'{fixture_id}' has not been played yet", "there is nothing to be replayed")
     row = RulingRow(
         kind.value, reason, tournament.store.now(), fixture_id, "+".join(losers), sides_of(fixture), list(scores)
     )
@@ -91,11 +84,11 @@ def withdraw(
     """
     before = tournament.state()
     if team not in before.teams:
-        raise _wrong(UNKNOWN_TEAM, f"there is no team '{team}'", _near(team, before.teams))
+        raise _wrong(codes.UNKNOWN_TEAM, f"there is no team '{team}'", _near(team, before.teams))
     if undo and not before.teams[team].withdrawn:
         raise _nothing_to_undo(team)
     if before.teams[team].withdrawn and not undo:
-        raise _wrong(WITHDRAWN_TWICE, f"'{team}' has withdrawn already", "nothing is left to decide")
+        raise _wrong(codes.WITHDRAWN_TWICE, f"'{team}' has withdrawn already", "nothing is left to decide")
     kind = RulingKind.UNDONE if undo else RulingKind.WITHDRAWN
     last_rounds = {} if undo else before.last_rounds(team)
     row = RulingRow(kind.value, _checked(reason), tournament.store.now(), team=team, last_rounds=last_rounds)
@@ -138,7 +131,9 @@ def _note(
 def _forfeited(tournament: OpenTournament, fixture: Fixture, losers: Sequence[str]) -> tuple[RulingKind, list[float]]:
     teams = [team for one in fixture.sides for team in one.teams]
     for loser in set(losers) - set(teams):
-        raise _wrong(UNKNOWN_TEAM, f"'{loser}' does not play in '{fixture.id}'", f"it is one of {', '.join(teams)}")
+        raise _wrong(
+            codes.UNKNOWN_TEAM, f"'{loser}' does not play in '{fixture.id}'", f"it is one of {', '.join(teams)}"
+        )
     rule = tournament.loaded.tournament.withdrawn
     lost, won = rule.lost if isinstance(rule, LostBy) else _LOST_BY
     are_lost = [not set(losers).isdisjoint(side.teams) for side in fixture.sides]
@@ -149,13 +144,15 @@ def _forfeited(tournament: OpenTournament, fixture: Fixture, losers: Sequence[st
 def _checked(reason: str) -> str:
     reason = " ".join(reason.split())
     if not reason or len(reason) > _MAX_REASON_CHARS:
-        raise _wrong(RULING_REASON, f"a ruling has a reason of 1 to {_MAX_REASON_CHARS} characters", "--reason TEXT")
+        raise _wrong(
+            codes.RULING_REASON, f"a ruling has a reason of 1 to {_MAX_REASON_CHARS} characters", "--reason TEXT"
+        )
     return reason
 
 
 def _nothing_to_undo(subject: str) -> DiagnosticError:
     help_ = "'tournament results FILE --json' lists all decisions"
-    return _wrong(NOTHING_TO_UNDO, f"no decision about '{subject}' holds", help_)
+    return _wrong(codes.NOTHING_TO_UNDO, f"no decision about '{subject}' holds", help_)
 
 
 def _near(name: str, names: Iterable[str]) -> str:

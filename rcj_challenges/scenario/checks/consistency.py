@@ -15,25 +15,7 @@ from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.rules.values.distance import DistanceValue
-from rcj_challenges.scenario.codes import (
-    CANNOT_SWAP,
-    CONFLICTING_KEYS,
-    DRIVEN_TWICE,
-    EMPTY_RANGE,
-    ENTRANT_WITHOUT_ROBOTS,
-    MISSING_KEY,
-    NEVER_DRAWN,
-    NEVER_HOLDS,
-    NO_CENTRE,
-    NOT_PER_ENTITY,
-    NOTHING_MOVES,
-    SAME_CHANNEL,
-    TOO_EARLY,
-    TOO_LATE,
-    UNKNOWN_NAME,
-    WRONG_KIND,
-    WRONG_VALUE,
-)
+from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_half, longest_half_s
@@ -65,7 +47,9 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
         yield from _numbers(model, path, roster)
         match model.moment() if isinstance(model, Trigger) and not is_half_set else None:
             case AtTime(at_s) if at_s > longest_s:
-                yield issue(TOO_LATE, (*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {longest_s:g} s")
+                yield issue(
+                    codes.TOO_LATE, (*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {longest_s:g} s"
+                )
         if isinstance(model, Match) and (is_length_set or not is_half_set):
             yield from _lengths(model, path, is_of_file=not is_length_set)
         if isinstance(model, Expectation):
@@ -94,17 +78,17 @@ def _keys(model: Strict, path: Path) -> Iterator[Diagnostic]:
         if also is not None and getattr(model, key) is not None:
             message = f"'{key}' and '{also}' cannot be given together"
             at, other = (*path, also), (*path, key)
-            yield issue(CONFLICTING_KEYS, at, message, "leave one of them out", at_key=True, other=other)
+            yield issue(codes.CONFLICTING_KEYS, at, message, "leave one of them out", at_key=True, other=other)
     choices = model.REQUIRES or tuple((key,) for key in model.either)
     if choices and not any(all(getattr(model, key) is not None for key in keys) for keys in choices):
-        yield issue(MISSING_KEY, path, f"needs {', or '.join(map(' and '.join, choices))}")
+        yield issue(codes.MISSING_KEY, path, f"needs {', or '.join(map(' and '.join, choices))}")
     if isinstance(model, Draw) and len(set(map(repr, model.values))) == 1:
         for key in (one for one in ("not_last", "not_again") if getattr(model, one)):
             message = "one value alone comes again every time"
-            yield issue(CONFLICTING_KEYS, (*path, key), message, "give two different values")
+            yield issue(codes.CONFLICTING_KEYS, (*path, key), message, "give two different values")
     if isinstance(model, Rule) and isinstance(model.phases, tuple) and "any" in model.phases:
         message = "'any' cannot stand in a list of phases"
-        yield issue(WRONG_VALUE, (*path, "phases"), message, "any phase is written phases: any, without brackets")
+        yield issue(codes.WRONG_VALUE, (*path, "phases"), message, "any phase is written phases: any, without brackets")
 
 
 def _numbers(model: Strict, path: Path, roster: Roster) -> Iterator[Diagnostic]:
@@ -115,21 +99,21 @@ def _numbers(model: Strict, path: Path, roster: Roster) -> Iterator[Diagnostic]:
             continue
         if least > most or (least == most and {least_key, most_key} & {"above", "below"}):
             message = f"nothing is {least_key.replace('_', ' ')} {least:g} and {most_key.replace('_', ' ')} {most:g}"
-            yield issue(EMPTY_RANGE, (*path, least_key), message)
+            yield issue(codes.EMPTY_RANGE, (*path, least_key), message)
     match model:
         case Kick(speed_mps=(least, most)) if least > most:
-            yield issue(EMPTY_RANGE, (*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
+            yield issue(codes.EMPTY_RANGE, (*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
     of = getattr(model, "of", None)
     names = getattr(model, "entity", getattr(model, "spot", None))
     is_number = isinstance(of, HowMany) and (of.at_least or of.equals)
     if isinstance(of, HowMany) and is_number and names is not None and of.number > len(roster.expand(names)):
         count = len(roster.expand(names))
-        yield issue(NEVER_HOLDS, (*path, "of"), f"{of.describe(negate=False)} of {count} can never hold")
+        yield issue(codes.NEVER_HOLDS, (*path, "of"), f"{of.describe(negate=False)} of {count} can never hold")
     for key in ("for_s", "grace_s"):
         seconds = getattr(model, key, None)
         if isinstance(seconds, int | float) and 0 < seconds < TICK_S:
             message = f"a duration must be 0 or at least one tick ({TICK_S} s), found {seconds:g}"
-            yield issue(WRONG_VALUE, (*path, key), message)
+            yield issue(codes.WRONG_VALUE, (*path, key), message)
 
 
 def _measured(part: object, path: Path, rule: Rule | None, scenario: Scenario, roster: Roster) -> Iterator[Diagnostic]:
@@ -143,12 +127,12 @@ def _measured(part: object, path: Path, rule: Rule | None, scenario: Scenario, r
             if None not in firsts:
                 message = f"no distance is measured between '{firsts[0]}' and '{firsts[1]}'"
                 help_ = "one end of a distance is an entity, a spot or [x, y]"
-                yield issue(WRONG_KIND, (*at, "distance"), message, help_)
+                yield issue(codes.WRONG_KIND, (*at, "distance"), message, help_)
     for spot, at in effects_in(str(path[1]), rule, SetsSpot) if rule is not None else ():
         for name in roster.may_be(spot.at, rule) if isinstance(spot.at, str) else ():
             if name in scenario.zones and centre_of(scenario.zones[name]) is None:
                 help_ = "set the spot to an entity, a spot or [x, y]"
-                yield issue(NO_CENTRE, (*at, "to"), f"zone '{name}' has no centre", help_)
+                yield issue(codes.NO_CENTRE, (*at, "to"), f"zone '{name}' has no centre", help_)
 
 
 # --- times ------------------------------------------------------------------------------------------------------------
@@ -160,15 +144,17 @@ def _lengths(match: Match, path: Path, *, is_of_file: bool) -> Iterator[Diagnost
         given, played = counted(len(match.half_s), "length"), counted(match.halves, "half", "halves")
         help_ = "give each half its length, or one number for all"
         other = (*path, "halves") if is_of_file else ()
-        yield issue(WRONG_VALUE, (*path, "half_s"), f"{given} in half_s for {played}", help_, other=other)
+        yield issue(codes.WRONG_VALUE, (*path, "half_s"), f"{given} in half_s for {played}", help_, other=other)
 
 
 def _length(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
     half_s = half_length_s(scenario.match, test.half)
     if test.lasts_s > half_s and not clock_may_stop(scenario):
-        yield issue(TOO_LATE, (*path, "lasts_s"), f"{test.lasts_s:g} s is longer than a half, {half_s:g} s")
+        yield issue(codes.TOO_LATE, (*path, "lasts_s"), f"{test.lasts_s:g} s is longer than a half, {half_s:g} s")
     if test.half > scenario.match.halves:
-        yield issue(TOO_LATE, (*path, "half"), f"there is no half {test.half}; {scenario.match.halves} are played")
+        yield issue(
+            codes.TOO_LATE, (*path, "half"), f"there is no half {test.half}; {scenario.match.halves} are played"
+        )
 
 
 # --- tests ------------------------------------------------------------------------------------------------------------
@@ -180,13 +166,13 @@ def _script(test: Expectation, path: Path) -> Iterator[Diagnostic]:
         at = (*path, "keyframes", index, "at_s")
         if frame.at_s <= before:
             message = f"{frame.at_s:g} s does not come after {before:g} s"
-            yield issue(TOO_EARLY, at, message, "keyframes stand in the order of time")
+            yield issue(codes.TOO_EARLY, at, message, "keyframes stand in the order of time")
         before = max(before, frame.at_s)
     moments = [(("keyframes", index), frame.at_s) for index, frame in enumerate(test.keyframes)]
     moments += [(("events", i), event.at_s) for i, event in enumerate(test.events or ()) if event.at_s is not None]
     for where, at_s in moments:
         if at_s > test.lasts_s:
-            yield issue(TOO_LATE, (*path, *where, "at_s"), f"{at_s:g} s comes after the end, {test.lasts_s:g} s")
+            yield issue(codes.TOO_LATE, (*path, *where, "at_s"), f"{at_s:g} s comes after the end, {test.lasts_s:g} s")
 
 
 def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
@@ -200,7 +186,7 @@ def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagn
         if index is not None and decided[index] in draw.values:
             why = "not_last" if draw.not_last and decided[index] == decided[index - 1] else "not_again"
             message = f"{spelled(decided[index])} is not drawn again here ({why})"
-            yield issue(NEVER_DRAWN, (*path, "draws", name, index), message)
+            yield issue(codes.NEVER_DRAWN, (*path, "draws", name, index), message)
 
 
 def _decided_spots(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
@@ -208,7 +194,7 @@ def _decided_spots(test: Expectation, path: Path, scenario: Scenario) -> Iterato
     random = {one.spot for one in scenario.effects(SetsSpot) if isinstance(one.at, PlaceWord) and one.at.IS_SPREAD}
     for name in (one for one in test.spots or {} if one in scenario.spots and one not in random):
         help_ = "where it is at the end is compared under poses"
-        yield issue(NEVER_DRAWN, (*path, "spots", name), f"no rule sets '{name}' at random", help_, at_key=True)
+        yield issue(codes.NEVER_DRAWN, (*path, "spots", name), f"no rule sets '{name}' at random", help_, at_key=True)
 
 
 def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Diagnostic]:
@@ -219,14 +205,16 @@ def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: R
             if kept is None or not isinstance(values, dict):
                 continue
             if kept.per is None:
-                yield issue(NOT_PER_ENTITY, at, f"{noun} '{name}' is not kept per entity", "write its value alone")
+                yield issue(
+                    codes.NOT_PER_ENTITY, at, f"{noun} '{name}' is not kept per entity", "write its value alone"
+                )
                 continue
             if not values:
-                yield issue(WRONG_VALUE, at, "names nothing", "write {entity: value, …}, or leave it out")
+                yield issue(codes.WRONG_VALUE, at, "names nothing", "write {entity: value, …}, or leave it out")
             owners = roster.expand(kept.per)
             for owner in (one for one in values if one not in owners):
                 message = f"there is no {noun} '{name}' of '{owner}'"
-                yield issue(UNKNOWN_NAME, (*at, owner), message, choice_of(owner, owners), at_key=True)
+                yield issue(codes.UNKNOWN_NAME, (*at, owner), message, choice_of(owner, owners), at_key=True)
 
 
 # --- robots and entrants ----------------------------------------------------------------------------------------------
@@ -234,10 +222,12 @@ def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: R
 
 def _robots(scenario: Scenario, roster: Roster) -> Iterator[Diagnostic]:
     if not roster.entities:
-        yield issue(NOTHING_MOVES, ("robots",), "nothing on the field can move", "give at least one robot or one ball")
+        yield issue(
+            codes.NOTHING_MOVES, ("robots",), "nothing on the field can move", "give at least one robot or one ball"
+        )
     for name, kit in scenario.kits.items():
         at: Path = ("kits", name)
-        yield from (issue(WRONG_VALUE, (*at, "chassis", key), text) for key, text in kit.chassis.contradictions())
+        yield from (issue(codes.WRONG_VALUE, (*at, "chassis", key), text) for key, text in kit.chassis.contradictions())
         yield from _devices(kit.devices, kit.chassis, at)
     for name, robot in scenario.robots.items():
         kit_of_robot = scenario.kits.get(robot.kit)
@@ -247,7 +237,7 @@ def _robots(scenario: Scenario, roster: Roster) -> Iterator[Diagnostic]:
             if device not in kit_of_robot.devices:
                 message = f"kit '{robot.kit}' has no device '{device}'"
                 help_ = choice_of(device, kit_of_robot.devices)
-                yield issue(UNKNOWN_NAME, ("robots", name, "without", index), message, help_)
+                yield issue(codes.UNKNOWN_NAME, ("robots", name, "without", index), message, help_)
 
 
 def _kits_of_teams(scenario: Scenario) -> Iterator[Diagnostic]:
@@ -255,7 +245,7 @@ def _kits_of_teams(scenario: Scenario) -> Iterator[Diagnostic]:
     for name, entrant in scenario.entrants.items():
         if entrant.kits and len(entrant.kits) != len(entrant.robots):
             message, help_ = f"{len(entrant.kits)} kits for {len(entrant.robots)} robots", "give one for each, in order"
-            yield issue(WRONG_VALUE, ("entrants", name, "kits"), message, help_)
+            yield issue(codes.WRONG_VALUE, ("entrants", name, "kits"), message, help_)
     for half in (1, 2):
         for name, robot in in_half(scenario, half).robots.items():
             if robot.kit in scenario.kits:
@@ -265,7 +255,7 @@ def _kits_of_teams(scenario: Scenario) -> Iterator[Diagnostic]:
 def _devices(devices: Mapping[str, Device], chassis: Chassis, path: Path) -> Iterator[Diagnostic]:
     for name, device in devices.items():
         for key, message in device.contradictions(chassis):
-            yield issue(WRONG_VALUE, (*path, "devices", name, key), message)
+            yield issue(codes.WRONG_VALUE, (*path, "devices", name, key), message)
 
 
 def _entrants(scenario: Scenario) -> Iterator[Diagnostic]:
@@ -274,26 +264,26 @@ def _entrants(scenario: Scenario) -> Iterator[Diagnostic]:
     for name, entrant in scenario.entrants.items():
         path: Path = ("entrants", name)
         if not entrant.robots:
-            yield issue(ENTRANT_WITHOUT_ROBOTS, (*path, "robots"), "an entrant drives at least one robot")
+            yield issue(codes.ENTRANT_WITHOUT_ROBOTS, (*path, "robots"), "an entrant drives at least one robot")
         for robot, entry_points in entrant.robots.items():
             at = (*path, "robots", robot)
             first = driver.setdefault(robot, name)
             if first != name:
                 other: Path = ("entrants", first, "robots", robot)
-                yield issue(DRIVEN_TWICE, at, f"'{robot}' is driven by '{first}' already", "", True, other)
+                yield issue(codes.DRIVEN_TWICE, at, f"'{robot}' is driven by '{first}' already", "", True, other)
             if robot in scenario.robots and scenario.robots[robot].idle:
                 other = "robots", robot, "idle"
-                yield issue(DRIVEN_TWICE, at, f"'{robot}' is idle, so no program drives it", "", True, other)
+                yield issue(codes.DRIVEN_TWICE, at, f"'{robot}' is idle, so no program drives it", "", True, other)
             for index, entry_point in enumerate((entry_points,) if isinstance(entry_points, str) else entry_points):
                 if any(part in {"", ".", ".."} for part in entry_point.split("/")):
                     where = at if isinstance(entry_points, str) else (*at, index)
                     message = f"'{entry_point}' is not a plain path inside a submission"
-                    yield issue(WRONG_VALUE, where, message, "leave '.', '..' and '//' out")
+                    yield issue(codes.WRONG_VALUE, where, message, "leave '.', '..' and '//' out")
         first = channels.setdefault(entrant.radio_channel, name)
         if first != name:
             message = f"'{first}' and '{name}' have the same radio channel, {entrant.radio_channel}"
             other = ("entrants", first, "radio_channel")
-            yield issue(SAME_CHANNEL, (*path, "radio_channel"), message, "give each its own", other=other)
+            yield issue(codes.SAME_CHANNEL, (*path, "radio_channel"), message, "give each its own", other=other)
     if scenario.match.swap_sides and len(scenario.entrants) != 2:
         message = f"only two entrants can change sides; there are {listing(scenario.entrants) or 'none'}"
-        yield issue(CANNOT_SWAP, ("match", "swap_sides"), message, "write swap_sides: false")
+        yield issue(codes.CANNOT_SWAP, ("match", "swap_sides"), message, "write swap_sides: false")

@@ -9,14 +9,7 @@ from math import cos, dist, pi, sin
 from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.geometry.polygons import Point, is_simple, side
 from rcj_challenges.rules.places.uniform_in import UniformIn
-from rcj_challenges.scenario.codes import (
-    DOES_NOT_FIT,
-    EMPTY_SHAPE,
-    MISSING_KEY,
-    OUTSIDE_FIELD,
-    OVERLAPPING_BODIES,
-    UNBOUNDED_ZONE,
-)
+from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import HalfPlaneZone, PolygonZone, RectZone, Zone
@@ -34,7 +27,7 @@ def check_ground(scenario: Scenario) -> Iterator[Diagnostic]:
     field = scenario.field
     if 2 * field.corner_cut_m >= min(field.width_m, field.length_m):
         message = f"corners cut by {field.corner_cut_m:g} leave nothing of a wall"
-        yield issue(DOES_NOT_FIT, ("field", "corner_cut_m"), message)
+        yield issue(codes.DOES_NOT_FIT, ("field", "corner_cut_m"), message)
         return
     yield from _goals(field)
     yield from _bodies(scenario)
@@ -48,16 +41,16 @@ def _shapes(scenario: Scenario) -> Iterator[Diagnostic]:
         yield from _zone(zone, ("zones", name))
     for name, gate in scenario.gates.items():
         if gate.from_m == gate.to_m:
-            yield issue(EMPTY_SHAPE, ("gates", name, "to_m"), "both posts are at one point")
+            yield issue(codes.EMPTY_SHAPE, ("gates", name, "to_m"), "both posts are at one point")
     for name, obstacle in scenario.obstacles.items():
         if _is_a_point(obstacle):
-            yield issue(EMPTY_SHAPE, ("obstacles", name, "to_m"), "both ends are at one point")
+            yield issue(codes.EMPTY_SHAPE, ("obstacles", name, "to_m"), "both ends are at one point")
     roster = Roster.of(scenario)
     for model, path in walk(scenario):
         for name in roster.expand(model.uniform_in) if isinstance(model, UniformIn) else ():
             if name in scenario.zones and not _is_bounded(scenario.zones[name]):
                 message = f"zone '{name}' has no end in some direction"
-                yield issue(UNBOUNDED_ZONE, (*path, "uniform_in"), message, "a random point needs a bounded zone")
+                yield issue(codes.UNBOUNDED_ZONE, (*path, "uniform_in"), message, "a random point needs a bounded zone")
 
 
 def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
@@ -66,14 +59,14 @@ def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
             low, high = getattr(zone, f"{axis}_min_m"), getattr(zone, f"{axis}_max_m")
             if low is not None and high is not None and low >= high:
                 message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}"
-                yield issue(EMPTY_SHAPE, (*path, f"{axis}_min_m"), message)
+                yield issue(codes.EMPTY_SHAPE, (*path, f"{axis}_min_m"), message)
         if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
-            yield issue(MISSING_KEY, path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
+            yield issue(codes.MISSING_KEY, path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
     if isinstance(zone, PolygonZone) and not is_simple(zone.points_m):
         message = "the outline crosses or touches itself, or has no area"
-        yield issue(EMPTY_SHAPE, (*path, "points_m"), message, "give its corners in order")
+        yield issue(codes.EMPTY_SHAPE, (*path, "points_m"), message, "give its corners in order")
     if isinstance(zone, HalfPlaneZone) and zone.normal == (0.0, 0.0):
-        yield issue(EMPTY_SHAPE, (*path, "normal"), "[0, 0] has no direction", "the normal points into the zone")
+        yield issue(codes.EMPTY_SHAPE, (*path, "normal"), "[0, 0] has no direction", "the normal points into the zone")
 
 
 def _is_a_point(obstacle: Obstacle) -> bool:
@@ -97,9 +90,9 @@ def _goals(field: FieldModel) -> Iterator[Diagnostic]:
         path: Path = ("field", "goals", name)
         if goal.width_m > room + TOUCHING_M:
             message = f"{goal.width_m:g} is wider than the end wall between its corners, {room:g}"
-            yield issue(DOES_NOT_FIT, (*path, "width_m"), message)
+            yield issue(codes.DOES_NOT_FIT, (*path, "width_m"), message)
         if goal.end in taken:
-            yield issue(DOES_NOT_FIT, (*path, "end"), f"'{taken[goal.end]}' stands at this end already")
+            yield issue(codes.DOES_NOT_FIT, (*path, "end"), f"'{taken[goal.end]}' stands at this end already")
         taken.setdefault(goal.end, name)
 
 
@@ -165,7 +158,7 @@ def _bodies(scenario: Scenario) -> Iterator[Diagnostic]:
                 f"y {y_0:.3f} to {y_1:.3f}"
             )
             help_ = f"the walls are at x = ±{scenario.field.width_m / 2:g}, y = ±{scenario.field.length_m / 2:g}"
-            yield issue(OUTSIDE_FIELD, body.path, message, help_)
+            yield issue(codes.OUTSIDE_FIELD, body.path, message, help_)
     yield from _overlaps(bodies)
 
 
@@ -184,7 +177,7 @@ def _overlaps(bodies: list[Body]) -> Iterator[Diagnostic]:
             names = listing((f"'{other.name}'" for other in met), 4)
             help_ = "move one of them; what comes there later is put there by a rule"
             message = f"'{body.name}' overlaps {names} at the start"
-            yield issue(OVERLAPPING_BODIES, body.path, message, help_, other=met[0].path)
+            yield issue(codes.OVERLAPPING_BODIES, body.path, message, help_, other=met[0].path)
 
 
 def _movable(scenario: Scenario) -> Iterator[Body]:

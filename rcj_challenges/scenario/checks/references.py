@@ -16,18 +16,8 @@ from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.refs import Ref, Reference, SectionRef, drawn_value, refs_of
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.rules.values import FOLDS
+from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.checks.naming import removal_help
-from rcj_challenges.scenario.codes import (
-    ENTRANT_WITHOUT_ROBOTS,
-    MISSING_ENTITY,
-    NEVER_DRAWN,
-    NEVER_TOUCHES,
-    NOT_PER_ENTITY,
-    UNBOUND_NAME,
-    UNKNOWN_NAME,
-    WRONG_KIND,
-    WRONG_VALUE,
-)
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import format_node, spelled
 from rcj_challenges.scenario.models.robots import Entrant, Kit
@@ -113,7 +103,7 @@ class _Walker:
             elif isinstance(default, str) and self._wrong(reference, default, path, scope) is not None:
                 message = f"'{key}' defaults to '{default}', which this scenario does not have"
                 known = choice_of("", self._known(reference), reference.noun)
-                self.add(UNKNOWN_NAME, path, message, f"set '{key}'; {known}")
+                self.add(codes.UNKNOWN_NAME, path, message, f"set '{key}'; {known}")
         self._relations(model, node, path, scope)
         return scope
 
@@ -127,7 +117,9 @@ class _Walker:
         swaps = node_at(self.root, ("match", "swap_sides"))
         also = ", and 'swap_sides: false' under match" if isinstance(swaps, Leaf) and swaps.value is True else ""
         message = f"all robots of '{path[-1]}' were removed in {at.file}{f':{at.line}' if at.line else ''}"
-        self.add(ENTRANT_WITHOUT_ROBOTS, path, message, f"write '{path[-1]}: null' under entrants{also}", at_key=True)
+        self.add(
+            codes.ENTRANT_WITHOUT_ROBOTS, path, message, f"write '{path[-1]}: null' under entrants{also}", at_key=True
+        )
         return True
 
     def _scope_of(self, rule: Entries) -> Scope:
@@ -160,7 +152,11 @@ class _Walker:
             return None
         if self._is_bound(name):
             unbound = self._unbound(reference, name, path, scope.of(name))
-            return (UNBOUND_NAME, unbound, "") if unbound else self._wrong_kind(reference, name, scope.of(name) or ())
+            return (
+                (codes.UNBOUND_NAME, unbound, "")
+                if unbound
+                else self._wrong_kind(reference, name, scope.of(name) or ())
+            )
         if roster.kinds.get(name) in reference.kinds:
             return None
         if name not in {*roster.groups, *roster.kinds}:
@@ -170,7 +166,7 @@ class _Walker:
             return None
         if name in roster.groups and not reference.groups:
             message = f"'{name}' is a group; expected {_with_a(reference.noun)}"
-            return WRONG_KIND, message, f"name one of {listing(roster.groups[name])}"
+            return codes.WRONG_KIND, message, f"name one of {listing(roster.groups[name])}"
         return self._wrong_kind(reference, name, roster.groups.get(name, (name,)))
 
     def _is_bound(self, name: str) -> bool:
@@ -186,7 +182,7 @@ class _Walker:
         help_ = reference.instead if kinds[wrong] in reference.instead_of else ""
         if kinds[wrong] == "fixed obstacle" and "obstacle" in reference.kinds:
             help_ = help_ or "with movable: true it is an entity"
-        return WRONG_KIND, f"{what} {_with_a(kinds[wrong])}; expected {_with_a(reference.noun)}", help_
+        return codes.WRONG_KIND, f"{what} {_with_a(kinds[wrong])}; expected {_with_a(reference.noun)}", help_
 
     @staticmethod
     def _unbound(reference: Ref, name: str, path: Path, members: tuple[str, ...] | None) -> str:
@@ -223,7 +219,7 @@ class _Walker:
             help_ = f"what a param holds is written {{param: {name}}}"
         elif name == "this" and path[0] == "rules":
             help_ = "in a rule with repeat_for its name is written {param: this}"
-        return UNKNOWN_NAME, f"unknown {reference.noun} '{name[:64]}'{which}", help_
+        return codes.UNKNOWN_NAME, f"unknown {reference.noun} '{name[:64]}'{which}", help_
 
     # --- values of draws ----------------------------------------------------------------------------------------------
 
@@ -241,7 +237,7 @@ class _Walker:
         for at, value in self._values_of(Leaf(draw, self.root.mark)):
             if not isinstance(value.value, str):
                 message = f"expected {_with_a(reference.noun)}, found {format_node(value)} {needed_by}"
-                self.add(WRONG_VALUE, at, message)
+                self.add(codes.WRONG_VALUE, at, message)
             elif wrong := self._wrong(plain, value.value, at, Scope()):
                 self.add(wrong[0], at, f"{wrong[1]} {needed_by}", wrong[2])
 
@@ -255,7 +251,7 @@ class _Walker:
             number = value.value
             if not isinstance(number, int | float) or isinstance(number, bool) or not least <= number <= most:
                 message = f"expected a number{bounds}, found {format_node(value)}"
-                self.add(WRONG_VALUE, at, f"{message} (needed by {format_path(self.root, user)})")
+                self.add(codes.WRONG_VALUE, at, f"{message} (needed by {format_path(self.root, user)})")
 
     def _decided(self, key: str, node: Entries, path: Path, scope: Scope, *, is_set: bool) -> None:
         """Check the value of a draw that a rule asks for or sets: ``each`` and ``other`` are names if it has them."""
@@ -266,11 +262,11 @@ class _Walker:
         if name not in BOUND or name in known:
             self._among(known, value, at)
         elif members is None:
-            self.add(UNBOUND_NAME, at, _unknown_bound(name))
+            self.add(codes.UNBOUND_NAME, at, _unknown_bound(name))
         # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
         elif known and not (all if is_set else any)(one in known for one in members):
             message = f"'{name}' stands for what is never drawn"
-            self.add(NEVER_DRAWN, at, message, choice_of("", (cut(spelled(one)) for one in known)))
+            self.add(codes.NEVER_DRAWN, at, message, choice_of("", (cut(spelled(one)) for one in known)))
 
     def _decided_by_test(self, test: Entries, path: Path) -> None:
         """Check the values of draws that a test decides: one, or several in order."""
@@ -286,7 +282,9 @@ class _Walker:
             return
         if not any(type(value.value) is type(one) and value.value == one for one in known):
             message = f"{format_node(value)} is never drawn"
-            self.add(NEVER_DRAWN, path, message, choice_of(spelled(value.value), (cut(spelled(one)) for one in known)))
+            self.add(
+                codes.NEVER_DRAWN, path, message, choice_of(spelled(value.value), (cut(spelled(one)) for one in known))
+            )
 
     # --- what a reference cannot say ----------------------------------------------------------------------------------
 
@@ -298,7 +296,7 @@ class _Walker:
             if (mark := drawn_value(model, name)) is not None:
                 self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
         if _is_folded(path) and not getattr(model, "OVER", ""):
-            self.add(WRONG_KIND, path, "this value names no group", "write a list of numbers: [{…}, {…}]")
+            self.add(codes.WRONG_KIND, path, "this value names no group", "write a list of numbers: [{…}, {…}]")
         if model is Expectation:
             self._decided_by_test(node, path)
         if issubclass(model, Trigger) and model.BINDS_OTHER:
@@ -312,7 +310,7 @@ class _Walker:
         kinds = self.roster.kinds
         names = self._members(node.entries.get("entity"), scope)
         if name := next((one for one in names if kinds.get(one, "ball") != "ball"), None):
-            self.add(WRONG_KIND, (*path, "kick"), f"only balls roll: '{name}' is {_with_a(kinds[name])}")
+            self.add(codes.WRONG_KIND, (*path, "kick"), f"only balls roll: '{name}' is {_with_a(kinds[name])}")
 
     def _owner(self, key: str, owner: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         """Check ``entity`` beside something that may be kept for each member of a group, or its absence."""
@@ -326,10 +324,12 @@ class _Walker:
             surplus = next((one for one in ("entity", "of") if one in node.entries), None)
             if surplus is None and (_is_folded(path) or owner != "entity"):
                 message, help_ = f"{key} '{name}' is not kept per entity: it is one alone", f"give the {key} 'per'"
-                self.add(NOT_PER_ENTITY, (*path, key), message, help_)
+                self.add(codes.NOT_PER_ENTITY, (*path, key), message, help_)
             if surplus is not None:
                 message = f"{key} '{name}' is not kept per entity"
-                self.add(NOT_PER_ENTITY, (*path, surplus), message, f"leave '{surplus}' out, or give the {key} 'per'")
+                self.add(
+                    codes.NOT_PER_ENTITY, (*path, surplus), message, f"leave '{surplus}' out, or give the {key} 'per'"
+                )
             return
         owners, is_counted = roster.expand(group), "of" in node.entries
         if whose is None:
@@ -337,7 +337,7 @@ class _Walker:
             is_of_all = is_counted or _is_folded(path) or getattr(model, "ALL_IF_NONE", False)
             if is_about_one and not is_of_all:
                 message = f"{key} '{name}' is kept per {group}"
-                self.add(MISSING_ENTITY, (*path, key), message, "say whose with 'entity', such as entity: each")
+                self.add(codes.MISSING_ENTITY, (*path, key), message, "say whose with 'entity', such as entity: each")
             return
         is_several = isinstance(whose, Items) or any(one in roster.groups and one not in kinds for one in texts(whose))
         over = getattr(model, "OVER", None)
@@ -346,12 +346,12 @@ class _Walker:
             help_ = "name one entity, or say with 'of' how many of them: any, all, none, {at_least: n}"
             if over is not None:
                 help_ = f"name one, or write what is meant of several: {{sum: {{{key}: {name}, …}}}}, highest or lowest"
-            self.add(MISSING_ENTITY, (*path, "entity"), "these are several", help_)
+            self.add(codes.MISSING_ENTITY, (*path, "entity"), "these are several", help_)
             return
         stranger = next((one for one in self._members(whose, scope) if one not in owners and one in kinds), None)
         if stranger is not None:
             message = f"{key} '{name}' is kept per {group}, and '{stranger}' is not among them"
-            self.add(WRONG_KIND, (*path, "entity"), message)
+            self.add(codes.WRONG_KIND, (*path, "entity"), message)
 
     def _touch(self, touch: Entries, path: Path, scope: Scope) -> None:
         """Check that two things can touch: one of them moves, and they are not the same."""
@@ -363,7 +363,7 @@ class _Walker:
         never_move = all(kinds.get(name) in ("fixed obstacle", "walls") for name in (*one, *other))
         if is_itself or (one and other and never_move):
             why = "a thing never touches itself" if is_itself else "neither of them ever moves"
-            self.add(NEVER_TOUCHES, (*path, "other"), why, "name what it touches, such as robots or walls")
+            self.add(codes.NEVER_TOUCHES, (*path, "other"), why, "name what it touches, such as robots or walls")
 
     def _receiver(self, name: str, scope: Scope) -> _Wrong | None:
         """Return the mistakes in points for ``each`` or ``other``, which stands for robots of entrants."""
@@ -371,14 +371,14 @@ class _Walker:
             return None
         members = scope.of(name)
         if members is None:
-            return UNBOUND_NAME, _unknown_bound(name), ""
+            return codes.UNBOUND_NAME, _unknown_bound(name), ""
         robots = (node_at(self.root, ("entrants", one, "robots")) for one in self.roster.names("entrants"))
         driven = {robot for node in robots for robot, _ in _entries(node)}
         idle = next((one for one in members if one in self.roster.kinds and one not in driven), None)
         if idle is None:
             return None
         return (
-            WRONG_KIND,
+            codes.WRONG_KIND,
             f"'{name}' stands for '{idle}', {_with_a(self.roster.kinds[idle])} that no entrant drives",
             "",
         )
@@ -393,7 +393,7 @@ class _Walker:
         # Of several that `each` stands for it suffices that one is a step.
         if members and all(self.roster.kinds.get(one) in ("zone", "gate") and one not in known for one in members):
             message = f"'{members[0]}' is not a step of it"
-            self.add(UNKNOWN_NAME, (*path, "step"), message, choice_of(members[0], known))
+            self.add(codes.UNKNOWN_NAME, (*path, "step"), message, choice_of(members[0], known))
 
 
 def _refs_of(model: Any, path: Path) -> list[tuple[str, Reference, Any]]:

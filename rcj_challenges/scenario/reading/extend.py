@@ -13,14 +13,7 @@ from typing import Any
 from rcj_challenges import __version__
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.files import open_regular
-from rcj_challenges.scenario.codes import (
-    AMBIGUOUS_NAME,
-    NEWER_VERSION,
-    UNKNOWN_BASE,
-    UNREADABLE_FILE,
-    WRONG_EXTENDS,
-    WRONG_VALUE,
-)
+from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.version_1 import to_version_2
@@ -61,7 +54,7 @@ class Source:
                 size = max(len(data), os.fstat(file.fileno()).st_size)
         except OSError as error:
             message = f"cannot be read: {error.strerror or error}"
-            raise ScenarioError([Mark(shown).error(UNREADABLE_FILE, message)]) from None
+            raise ScenarioError([Mark(shown).error(codes.UNREADABLE_FILE, message)]) from None
         refuse_size(size, shown)
         return cls(_mapping(parse_bytes(data, shown)), shown, path)
 
@@ -86,7 +79,7 @@ def _mapping(node: Node) -> Entries:
         return node
     found = "a list" if isinstance(node, Items) else "nothing" if node.value is None else "a single value"
     help_ = "a scenario is a mapping of sections: schema_version, id, title, …"
-    raise ScenarioError([node.mark.error(WRONG_VALUE, f"expected a mapping, found {found}", help_)])
+    raise ScenarioError([node.mark.error(codes.WRONG_VALUE, f"expected a mapping, found {found}", help_)])
 
 
 def _wrapped(data: Any, mark: Mark) -> Node:
@@ -136,10 +129,10 @@ def _refuse_newer(source: Source) -> None:
     if isinstance(version, Leaf) and isinstance(version.value, int) and version.value > SCHEMA_VERSION:
         message = f"version {version.value} needs a newer rcj-challenges; {__version__} reads version {SCHEMA_VERSION}"
         help_ = "pip install --upgrade rcj-challenges"
-        raise ScenarioError([version.mark.error(NEWER_VERSION, message, help_, "schema_version")])
+        raise ScenarioError([version.mark.error(codes.NEWER_VERSION, message, help_, "schema_version")])
 
 
-def _refused(mark: Mark, message: str, help_: str = "", code: Code = WRONG_EXTENDS) -> ScenarioError:
+def _refused(mark: Mark, message: str, help_: str = "", code: Code = codes.WRONG_EXTENDS) -> ScenarioError:
     return ScenarioError([mark.error(code, message, help_, "extends")])
 
 
@@ -162,7 +155,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
         help_ = f"did you mean '{PurePosixPath(*parts).with_name(near).as_posix()}'?" if near else ""
         if path.stem in _shipped_files():
             help_ = f"what is shipped is extended by its name alone: {path.stem}"
-        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}", help_, UNKNOWN_BASE)
+        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}", help_, codes.UNKNOWN_BASE)
     shown = PurePosixPath(user.shown.replace("\\", "/")).parent / PurePosixPath(*parts)
     return Source.of_file(path, os.path.normpath(shown).replace("\\", "/"))
 
@@ -175,7 +168,7 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
         # A file of the name that it extends does not extend itself.
         if own is not None and user.path is not None and not own.samefile(user.path):
             message = f"a shipped scenario has this name, and {own.name} lies beside {user.shown}"
-            raise _refused(mark, message, f"write {own.name} for that, or give it another name", AMBIGUOUS_NAME)
+            raise _refused(mark, message, f"write {own.name} for that, or give it another name", codes.AMBIGUOUS_NAME)
         # A file that extends the match may be called match.yaml: errors must distinguish the two.
         shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
         return Source.of_file(shipped[name], shown)
@@ -184,7 +177,7 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
     hint = did_you_mean(name.replace("-", "_"), [*own_files, *shipped])
     known = choice_of("", [*names_in(scenarios_folder()), *names_in(presets_folder())])
     message = f"no preset or scenario '{name[:64]}' is shipped"
-    raise _refused(mark, message, f"{hint}{' ' if hint else ''}{known}", UNKNOWN_BASE)
+    raise _refused(mark, message, f"{hint}{' ' if hint else ''}{known}", codes.UNKNOWN_BASE)
 
 
 def _shipped_files() -> dict[str, Path]:
