@@ -42,7 +42,7 @@ from rcj_challenges.rules.values.flag import FlagValue
 from rcj_challenges.rules.values.folded import Several
 from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.json_schema import keywords, sentence_of
-from rcj_challenges.scenario.models import field, places, robots, scenario, state
+from rcj_challenges.scenario.models import field, guidelines, places, robots, scenario, state
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -169,12 +169,16 @@ CHAPTERS = (
     ),
     Chapter(
         "Robots and entrants",
-        "Sections `kits`, `robots` and `entrants`: the robots, their sensors, and the teams that control them.",
+        "Sections `kits`, `robots`, `entrants` and `guidelines`: the robots, their sensors, the teams that control "
+        "them, and what teams may design.",
         (
             Word("kits", robots.Kit),
             Word("robots", robots.Robot),
             Word("start_pose", robots.StartPose, own_example=False),
             Word("entrants", robots.Entrant),
+            Word("guidelines", guidelines.Guideline),
+            Word("part", guidelines.Part, own_example=False),
+            Word("allowance", guidelines.Allowance, own_example=False),
         ),
         "devices",
     ),

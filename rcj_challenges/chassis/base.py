@@ -10,6 +10,7 @@ from typing import Annotated, ClassVar, Literal, NamedTuple, Protocol
 
 from pydantic import Field
 
+from rcj_challenges.core.amounts import add_up
 from rcj_challenges.geometry.polygons import Point, side
 from rcj_challenges.rules.base import Phrases, Vocabulary, Word
 from rcj_challenges.rules.fields import Positive, described
@@ -162,10 +163,17 @@ class Chassis(Word):
 
     Attributes:
         MOTOR_JOINT: name of one joint for all wheels, which then have no joints of their own; empty: each has its own.
+        FREE: the fields that designs of teams may choose, within the limits of size and mass.
     """
 
     KEY = "drive"
     MOTOR_JOINT: ClassVar = ""
+    FREE: ClassVar = frozenset(
+        {
+            "size_m", "shape", "jaws_m", "mass_kg", "wheel_mass_kg", "wheel_width_m", "wheel_track_m", "wheels_at_rad",
+            "wheel_ring_m",
+        }
+    )  # fmt: skip
 
     # Source of the defaults: reference, section 2.
     size_m: Positive = described(0.075, "edge length or diameter of the body in m, which is also its height", le=0.5)
@@ -190,6 +198,18 @@ class Chassis(Word):
     def front_m(self) -> float:
         """How far ahead of its centre its body ends."""
         return max(x for x, _ in self.body())
+
+    @property
+    def total_mass_kg(self) -> float:
+        """Its mass with wheels."""
+        return self.mass_kg + add_up(wheel.mass_kg for wheel in self.wheels())
+
+    def mouth_m(self, ball_m: float) -> float:
+        """Return how far a ball of this radius enters between its jaws."""
+        if self.jaws_m is None:
+            return 0.0
+        depth_m, half_m = self.jaws_m[0], self.jaws_m[1] / 2
+        return depth_m if half_m >= ball_m else min(depth_m, ball_m - math.sqrt(ball_m**2 - half_m**2))
 
     def body(self) -> tuple[Point, ...]:
         """Return the outline of its body, convex and counter-clockwise."""

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rcj_challenges.checker.archives import Inspection, TeamError, inspect
 from rcj_challenges.checker.codes import CHECK_BROKEN, CHECK_IMPOSSIBLE
+from rcj_challenges.checker.designs import check_designs
 from rcj_challenges.checker.discovery import SubmissionName, name_submissions
 from rcj_challenges.checker.findings import STAGES, Stage, StageName, most_serious
 from rcj_challenges.checker.report import FileReport, MatchReport, first_cause, match_report, stage_report
@@ -46,9 +47,10 @@ _NEEDS: dict[StageName, tuple[StageName, ...]] = {
     "archive": (),
     "layout": ("archive",),
     "identity": ("archive",),
+    "design": ("archive", "layout"),
     "sources": ("archive", "layout"),
-    "start": ("archive", "layout", "sources"),
-    "play": ("archive", "layout", "sources", "start"),
+    "start": ("archive", "layout", "design", "sources"),
+    "play": ("archive", "layout", "design", "sources", "start"),
 }
 PLAY_S = 10.0
 """As long as the web checker of the original played (reference, section 7)."""
@@ -182,6 +184,7 @@ class _Check:
         team = self._inspection.team
         if team is not None:
             with team:
+                self._carry_out("design", lambda: check_designs(team, self._loaded))
                 self._carry_out("sources", lambda: check_sources(team))
                 self._run_programs(team, self._inspection.display_name or team.name)
 

@@ -70,6 +70,10 @@ The logo is damaged.
 IDENTITY_LOGO_ANIMATED = Code("identity.logo_animated", level="warning", repair="yes ⁵", page=f"""
 The logo is animated; only its first picture is shown.
 {_LOGO}""")
+DESIGN_COST = Code("design.cost", "A design is within the budget; the finding has its price table.", level="passed")
+DESIGN_UNUSED = Code("design.unused", level="warning", page="""
+There is a robot.yaml, and the scenario has no guidelines for robots.
+The robots are those of the scenario; the file does no harm.""")
 SOURCES_OK = Code("sources.ok", "All Python files in use can be read, and their imports exist.", level="passed")
 SOURCES_MORE = Code("sources.more", level="warning", page="""
 There are more findings of this kind.

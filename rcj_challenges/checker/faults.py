@@ -34,7 +34,7 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
     for fault in match.faults:
         # All that end have the same message, but each program may have its own reason.
         ended = fault["kind"] == "exit"
-        why = hint_for(rehearsal.loaded.scenario, rehearsal.team, fault) if ended else None
+        why = hint_for(rehearsal.scenario, rehearsal.team, fault) if ended else None
         alike.setdefault((fault["kind"], fault["detail"], fault["traceback"], why), []).append(fault)
     return [_fault_finding(stage, rehearsal, match, side, faults) for faults in alike.values()]
 
@@ -47,7 +47,7 @@ def _fault_finding(
     # Robots that hang are stopped at different places: one is enough.
     places = (whereabouts_in(match.log(robot)) for robot in robots if not traceback)
     whereabouts = next(filter(None, places), "")
-    hint = hint_for(rehearsal.loaded.scenario, rehearsal.team, first, match.notes[first["robot"]], whereabouts)
+    hint = hint_for(rehearsal.scenario, rehearsal.team, first, match.notes[first["robot"]], whereabouts)
     hint = hint or Hint(kind, HELP_BY_FAULT.get(kind, _OTHER_HELP))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts
@@ -84,6 +84,6 @@ def device_findings(
     findings = []
     for name, robots in list(missing.items())[:_MAX_DEVICES]:
         message = f"{side}{missing_sentence(name)}"
-        help_ = device_help(rehearsal.loaded.scenario, rehearsal.team, robots[0], name, missing)
+        help_ = device_help(rehearsal.scenario, rehearsal.team, robots[0], name, missing)
         findings.append(Diagnostic(Code.named(f"{stage}.no_device"), message, help_, ", ".join(robots)))
     return findings

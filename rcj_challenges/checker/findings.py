@@ -12,12 +12,13 @@ from rcj_challenges.core.diagnostics import Diagnostic
 RANKS: tuple[Level, ...] = ("passed", "warning", "error", "unchecked")
 """All levels; of many, the last one is that of all."""
 
-StageName = Literal["archive", "layout", "identity", "sources", "start", "play"]
+StageName = Literal["archive", "layout", "identity", "design", "sources", "start", "play"]
 
 STAGES: dict[StageName, str] = {
     "archive": "the file is a sound ZIP archive",
     "layout": "folders and programs are where the scenario requires them",
     "identity": "the team's name and logo",
+    "design": "robots that the team has designed are within the guidelines",
     "sources": "the programs are valid Python and can run here",
     "start": "every robot starts and answers its first step, on every side",
     "play": "a short match, on every side that the team can take",

@@ -105,9 +105,7 @@ def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], s
         if activity.path_m < _STANDS_M and activity.turned_rad < _STANDS_RAD and robot not in known:
             standing.setdefault(rehearsal.team.entries[robot], []).append(robot)
     message = f"{side}did not move in {match.simulated_s:.0f} s"
-    helps = {
-        entry: standing_help(rehearsal.loaded.scenario, rehearsal.team, robots[0]) for entry, robots in standing.items()
-    }
+    helps = {entry: standing_help(rehearsal.scenario, rehearsal.team, robots[0]) for entry, robots in standing.items()}
     return [
         Diagnostic(codes.PLAY_STANDS, message, helps[entry], ", ".join(robots)) for entry, robots in standing.items()
     ]

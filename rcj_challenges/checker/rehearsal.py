@@ -7,6 +7,7 @@ import time
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +15,14 @@ from rcj_challenges.checker.advice.hints import read_log
 from rcj_challenges.core.play import RefereeOutput, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.core.traffic import Note
+from rcj_challenges.match.designs import with_designs
 from rcj_challenges.match.observers import Observer, ProgramTimes
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.records.folder import LOGS
-from rcj_challenges.scenario.halves import longest_half_s
+from rcj_challenges.scenario.halves import in_half, longest_half_s
 from rcj_challenges.scenario.load import Loaded, load_resolved
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.team import Team, TeamError, open_team
 
 SEED = 1
@@ -50,6 +53,12 @@ class Rehearsal:
     name: str
     sandbox: str
     out: Path
+
+    @cached_property
+    def scenario(self) -> Scenario:
+        """The scenario in which all robots are those of the team, as it designed them."""
+        designed = with_designs(self.loaded, dict.fromkeys(self.loaded.scenario.entrants, self.team))
+        return in_half(designed.scenario, 1)
 
     def seats(self) -> list[str]:
         """Return the seats that the team can take: all whose programs it has."""
@@ -137,12 +146,13 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
             seat: (rehearsal.team, rehearsal.name) if seat in seats else _opponent(rehearsal, seat, stack)
             for seat in scenario.entrants
         }
+        teams = {seat: team for seat, (team, _) in cast.items()}
         names = {seat: name for seat, (_, name) in cast.items()}
         ours = [robot for seat in seats for robot in scenario.entrants[seat].robots]
         observer = _Observer(short, ours)
         plan = MatchPlan(
-            loaded=short,
-            teams={seat: team for seat, (team, _) in cast.items()},
+            loaded=with_designs(short, teams),
+            teams=teams,
             team_names=names,
             seed=SEED,
             out=rehearsal.out,

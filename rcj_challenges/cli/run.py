@@ -106,14 +106,16 @@ def run(
             require_layers(sandbox)
         _refuse_unknown_robots(loaded, *(show_output or ()), *(debug or ()))
         # The physics is imported here, before the match begins: opening teams is quick, compiling is not.
+        from rcj_challenges.match.designs import with_designs
         from rcj_challenges.match.runner import MatchInterruptedError, MatchPlan, play_match
         from rcj_challenges.views.console import console_for
         from rcj_challenges.views.scoreboard import create_observer
 
         console = console_for(to_stderr=json_)
+        playing = open_teams(loaded, teams)
         plan = MatchPlan(
-            loaded=loaded,
-            teams=open_teams(loaded, teams),
+            loaded=with_designs(loaded, playing),
+            teams=playing,
             team_names=_team_names(loaded, team_name or []),
             seed=seed,
             match_id=match_id,

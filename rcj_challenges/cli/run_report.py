@@ -45,6 +45,7 @@ class MatchReport:
         """
         from rcj_challenges.cli.advice import advice_on
         from rcj_challenges.records.folder import LOGS
+        from rcj_challenges.scenario.halves import in_half
 
         hints: list[dict[str, Any]] = []
         replay = False
@@ -55,7 +56,7 @@ class MatchReport:
                 failed = {fault["robot"] for fault in outcome.result["faults"]}
                 motionless = [robot for robot in motionless if robot not in failed]
                 logs = outcome.folder / LOGS
-                hints = advice_on(self._scenario, self._plan.teams, faults, motionless, outcome.notes, logs)
+                hints = advice_on(in_half(self._scenario, 1), self._plan.teams, faults, motionless, outcome.notes, logs)
                 if self._with_page and has_ticks(outcome):
                     from rcj_challenges.views.replay import write_replay
 

@@ -273,6 +273,7 @@ class Device(Word):
         MAX_SHOWN: how many of its numbers a replay page carries; the rest is skipped evenly.
         SHOWS_SPEED: whether a replay page also has how fast its number changes.
         PAGE_FACTS: which facts a replay page needs to draw it.
+        FREE: the fields that designs of teams may choose freely, because nothing is gained by them.
     """
 
     KEY = "device"
@@ -283,6 +284,11 @@ class Device(Word):
     MAX_SHOWN: ClassVar = 1_000_000
     SHOWS_SPEED: ClassVar = False
     PAGE_FACTS: ClassVar[tuple[str, ...]] = ()
+    FREE: ClassVar[frozenset[str]] = frozenset()
+
+    def place(self) -> Vector | None:
+        """Return where it sits: ahead and left of the robot's centre, and above the floor; None: anywhere within."""
+        return None
 
     @property
     def numbers(self) -> int:

@@ -15,6 +15,7 @@ from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device, Eye, Fitted, Phrases, RobotSetup
 from rcj_challenges.devices.noise import sensor_stream
+from rcj_challenges.devices.poses import Vector
 from rcj_challenges.rules.fields import NotNegative, Positive, described
 from rcj_challenges.rules.phrasing import degrees, metres
 
@@ -48,6 +49,7 @@ class CameraDevice(Device):
 
     CLASS = "camera"
     ACCEPTS = frozenset({"sampling"})
+    FREE = frozenset({"bearing_rad", "below_horizon", "ahead_m", "height_m"})
     EXAMPLE = """
 robots:
   Y1: {devices: {front camera: {device: camera, light: [0.85, 1.15]}}}
@@ -69,6 +71,9 @@ robots:
             self.bearing_rad, self.ahead_m, self.height_m, self.width, self.height, self.field_of_view_rad,
             self.below_horizon,
         )  # fmt: skip
+
+    def place(self) -> Vector:
+        return self.ahead_m * math.cos(self.bearing_rad), self.ahead_m * math.sin(self.bearing_rad), self.height_m
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"width": self.width, "height": self.height, "fov": self.field_of_view_rad, "near": NEAR_M}

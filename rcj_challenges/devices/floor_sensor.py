@@ -4,7 +4,7 @@ from typing import Any, Literal
 
 from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
-from rcj_challenges.devices.poses import RobotPose
+from rcj_challenges.devices.poses import RobotPose, Vector
 from rcj_challenges.devices.wording import noise_words, percent_words
 from rcj_challenges.rules.fields import NotNegative, described
 from rcj_challenges.rules.phrasing import metres
@@ -20,6 +20,7 @@ class FloorSensorDevice(Device):
 
     CLASS = "light_sensor"
     ACCEPTS = frozenset({"sampling"})
+    FREE = frozenset({"ahead_m", "left_m"})
     WIDTH = 1
     RESOLUTION = 0.1
     EXAMPLE = """
@@ -30,6 +31,9 @@ robots:
         "brightness of the floor from 0 to 1000, 3 cm ahead and 0 cm left of the robot's centre "
         "(noise: standard deviation 5 % of the value)"
     )
+
+    def place(self) -> Vector:
+        return self.ahead_m, self.left_m, 0.0
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"max_value": 1000.0}

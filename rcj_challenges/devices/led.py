@@ -19,6 +19,7 @@ class LedDevice(Device):
 
     CLASS = "led"
     ACCEPTS = frozenset({"motors"})
+    FREE = frozenset({"colours"})
     EXAMPLE = """
 robots:
   Y1: {devices: {led: {device: led, colours: [red, lime]}}}

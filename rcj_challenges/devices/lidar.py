@@ -8,7 +8,7 @@ from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
-from rcj_challenges.devices.poses import RobotPose
+from rcj_challenges.devices.poses import RobotPose, Vector
 from rcj_challenges.devices.wording import noise_words, order_words
 from rcj_challenges.rules.fields import NotNegative, Positive, described
 from rcj_challenges.rules.phrasing import counted, degrees, metres
@@ -48,6 +48,7 @@ class LidarDevice(Device):
 
     CLASS = "lidar"
     ACCEPTS = frozenset({"sampling", "frequencies"})
+    FREE = frozenset({"height_m"})
     MAX_SHOWN = 180  # rays of a picture: more cannot be distinguished
     PAGE_FACTS = ("first_bearing_rad", "bearing_step_rad", "max_range")
     EXAMPLE = """
@@ -80,6 +81,9 @@ robots:
         if self.points == 1:
             return 0.0, 0.0
         return self.field_of_view_rad / 2, -self.field_of_view_rad / (self.points - 1)
+
+    def place(self) -> Vector:
+        return 0.0, 0.0, self.height_m
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         first_rad, step_rad = self.bearings

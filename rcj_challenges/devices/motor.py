@@ -23,6 +23,7 @@ class MotorDevice(Device):
 
     CLASS = "motor"
     ACCEPTS = frozenset({"motors"})
+    FREE = frozenset({"wheel", "direction"})
     EXAMPLE = """
 robots:
   Y1:

@@ -10,7 +10,7 @@ from typing import Any, Literal, Self, cast
 
 from rcj_challenges.devices.base import Device, Fitted, FixedRay, Phrases, Reader, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
-from rcj_challenges.devices.poses import RobotPose
+from rcj_challenges.devices.poses import RobotPose, Vector
 from rcj_challenges.devices.wording import noise_words, percent_words
 from rcj_challenges.rules.fields import NotNegative, Positive, described
 from rcj_challenges.rules.phrasing import degrees, metres
@@ -44,6 +44,7 @@ class SonarDevice(Device):
 
     CLASS = "distance_sensor"
     ACCEPTS = frozenset({"sampling"})
+    FREE = frozenset({"bearing_rad", "offset_m", "height_m"})
     WIDTH = 1
     RESOLUTION = 0.1
     PAGE_FACTS = ("bearing_rad", "max_value")
@@ -59,6 +60,9 @@ robots:
         "nearer: at half the distance half that share), 3.85 cm off the robot's centre and 5.75 cm above the floor, "
         "without an echo of what it meets at 22.5° or more off the perpendicular"
     )
+
+    def place(self) -> Vector:
+        return self.offset_m * math.cos(self.bearing_rad), self.offset_m * math.sin(self.bearing_rad), self.height_m
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"min_value": 0.0, "max_value": 1000.0 * self.range_m, "bearing_rad": self.bearing_rad}

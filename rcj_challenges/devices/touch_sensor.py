@@ -20,6 +20,7 @@ class TouchSensorDevice(Device):
 
     CLASS = "touch_sensor"
     ACCEPTS = frozenset({"sampling"})
+    FREE = frozenset({"bearing_rad", "angle_rad"})
     WIDTH = 1
     EXAMPLE = """
 robots:

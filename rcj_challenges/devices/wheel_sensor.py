@@ -20,6 +20,7 @@ class WheelSensorDevice(Device):
 
     CLASS = "position_sensor"
     ACCEPTS = frozenset({"sampling"})
+    FREE = frozenset({"wheel", "direction"})
     WIDTH = 1
     SHOWS_SPEED = True
     EXAMPLE = """

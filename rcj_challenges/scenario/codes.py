@@ -159,3 +159,51 @@ Give the zone all its bounds, or name another zone.""")
 DOES_NOT_FIT = Code("does-not-fit", page="""
 A goal or a cut corner does not fit into the field, or another goal stands there.
 Make it smaller, put it elsewhere, or make the field larger.""")
+DESIGN_UNREADABLE = Code("design.unreadable", page="""
+robot.yaml cannot be read: it is not strict YAML, or something in it has another form.
+Correct the line that is named. Names are texts, and a robot has at most 32 devices.""")
+DESIGN_OVER_BUDGET = Code("design.over_budget", page="""
+A design costs more points than the guidelines allow.
+Leave something out, or choose a cheaper part.""")
+DESIGN_TOO_WIDE = Code("design.too_wide", page="""
+A robot does not fit in the cylinder of the guidelines.
+Make the part smaller that reaches furthest.""")
+DESIGN_TOO_HIGH = Code("design.too_high", page="""
+A robot is higher than the guidelines allow.
+Choose a smaller `size_m`.""")
+DESIGN_TOO_HEAVY = Code("design.too_heavy", page="""
+A robot weighs more than the guidelines allow.
+Choose a smaller `mass_kg`, or lighter wheels.""")
+DESIGN_MOUTH = Code("design.mouth", page="""
+A ball enters the jaws of a robot too far.
+Make the jaws shorter, or closer to each other.""")
+DESIGN_NOT_ALLOWED = Code("design.not_allowed", page="""
+The guidelines do not allow a part.
+Choose one of those that the message lists.""")
+DESIGN_TOO_MANY = Code("design.too_many", page="""
+There are more parts of a kind, or more designs, than the guidelines allow.
+Leave some out.""")
+DESIGN_OUT_OF_RANGE = Code("design.out_of_range", page="""
+A field of a part is smaller or larger than the guidelines allow, or may not be chosen.
+Choose another value, or leave the field out.""")
+DESIGN_CANNOT_DRIVE = Code("design.cannot_drive", page="""
+The wheels cannot drive the robot in every direction and turn it.
+Let three wheels stand in different directions.""")
+DESIGN_CONTRADICTION = Code("design.contradiction", page="""
+Parts of a design do not fit together.
+The message says why.""")
+DESIGN_OUTSIDE = Code("design.outside", page="""
+A device sits outside of the body.
+Move it inwards.""")
+DESIGN_NAME_TAKEN = Code("design.name_taken", page="""
+A device has the name of one that every robot keeps.
+Give it another name.""")
+DESIGN_NO_MOTOR = Code("design.no_motor", level="warning", page="""
+A wheel has no motor and never turns.
+Add a motor with the number of the wheel, unless it shall not turn.""")
+DESIGN_UNKNOWN_DESIGN = Code("design.unknown_design", page="""
+`robots` names a design that does not exist.
+Correct the name.""")
+DESIGN_ROBOTS = Code("design.robots", page="""
+Not every robot has a design.
+Name one for each robot in `robots`, in their order.""")

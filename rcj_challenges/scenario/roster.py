@@ -28,6 +28,7 @@ _KIND_OF_SECTION = {"robots": "robot", "balls": "ball", "zones": "zone", "gates"
 _NOUN_OF_SECTION = {
     "entrants": "entrant", "draws": "draw", "counters": "counter", "flags": "flag", "timers": "timer",
     "sequences": "sequence", "placements": "layout", "phases": "phase", "kits": "kit", "params": "param",
+    "guidelines": "guideline",
 }  # fmt: skip
 
 

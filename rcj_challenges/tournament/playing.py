@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 
+from rcj_challenges.match.designs import with_designs
 from rcj_challenges.match.runner import MatchPlan, PlayedMatch, play_match
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line
@@ -38,7 +39,7 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
             teams[seat] = members[0] if len(members) == 1 else SuperTeam(members)
             stack.callback(teams[seat].close)
         plan = MatchPlan(
-            loaded=loaded,
+            loaded=with_designs(loaded, teams),
             teams=teams,
             team_names=job.names,
             seed=job.seed,

@@ -16,6 +16,7 @@ from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario import codes
+from rcj_challenges.scenario.checks.guidelines import check_guideline
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_half, longest_half_s
@@ -65,6 +66,8 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     yield from _measured(scenario.broadcast, ("broadcast",), None, scenario, roster)
     yield from _robots(scenario, roster)
     yield from dict.fromkeys(_kits_of_teams(scenario))
+    for name, guideline in scenario.guidelines.items():
+        yield from check_guideline(guideline, ("guidelines", name))
     yield from _entrants(scenario)
 
 

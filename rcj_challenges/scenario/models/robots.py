@@ -77,6 +77,11 @@ class Entrant(Strict):
     radio_channel: int = described(
         2, "team radio channel of all robots that it drives, whatever their colour", ge=1, le=1000
     )
+    design: Annotated[Name | None, SectionRef("guideline", ("guidelines",))] = described(
+        None,
+        "guideline for the robots of the team that starts in this seat; a submission without robot.yaml has the "
+        "robots' own kits; left out: no robot.yaml counts",
+    )
     kits: Annotated[tuple[Name, ...], SectionRef("kit", ("kits",))] = Field(
         (),
         strict=False,

@@ -13,6 +13,7 @@ from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, 
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Value
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
+from rcj_challenges.scenario.models.guidelines import Guideline
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
 from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot
@@ -341,6 +342,7 @@ class Scenario(Strict):
     balls: dict[Name, Ball] = described({}, "balls by name", max_length=64)
     obstacles: dict[Name, Obstacle] = described({}, "obstacles by name", max_length=256)
     kits: dict[Name, Kit] = described({}, "robot kits by name")
+    guidelines: dict[Name, Guideline] = described({}, "limits and prices for robots that teams design", max_length=16)
     robots: dict[Name, Robot] = described(..., "robots by name", max_length=64)
     entrants: dict[Name, Entrant] = described(..., "competitors, by the name of their seat")
     zones: dict[Name, Zone] = described({}, "zones by name")

@@ -26,6 +26,7 @@ from rcj_challenges.views.drawing.field import picture_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
 from rcj_challenges.views.sheet.document import Block, Items, Section, Sheet, Table
 from rcj_challenges.views.sheet.field import field_blocks
+from rcj_challenges.views.sheet.guidelines import guideline_sections
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.programs import program_sections
 from rcj_challenges.views.sheet.robots import has, robot_blocks
@@ -44,6 +45,7 @@ def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
     if texts := tuple(filter(None, sentences)):
         lead.append(Section("Rules", (Items(texts),)))
     lead.append(Section("What to hand in", tuple(_submission(scenario))))
+    lead += guideline_sections(scenario)
     appendix = [
         Section("Field", tuple(field_blocks(scenario, phrases))),
         Section("Robots", tuple(robot_blocks(scenario, phrases))),

@@ -29,7 +29,7 @@ from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receiv
 from rcj_challenges.web.views.guards import only, plain, seen_submission
 
 _CHUNK = 65536
-_STAGES = ("archive", "layout", "identity", "sources", "start", "play")
+_STAGES = ("archive", "layout", "identity", "design", "sources", "start", "play")
 _REPORT_POLICY = {
     "default-src": ["'none'"],
     "style-src": ["'unsafe-inline'"],
