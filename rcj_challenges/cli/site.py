@@ -13,7 +13,7 @@ from rcj_challenges.cli.app import ORGANIZE, Command, Group
 from rcj_challenges.core.codes import CANNOT_OPEN
 from rcj_challenges.core.errors import RcjError, format_error
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.web.codes import BAD_RESULTS, SITE_EXTRA
+from rcj_challenges.web.codes import BAD_RESULTS, SITE_EXTRA, SITE_PROBLEMS
 
 if TYPE_CHECKING:
     from rcj_challenges.web.config import SiteConfig
@@ -143,6 +143,39 @@ def migrate(folder: Folder) -> None:
 
     done = bring_up_to_date(config)
     typer.echo("\n".join(done) if done else "the database is up to date")
+
+
+@site_app.command("backup", cls=Command, epilog="rcj-challenge site backup club backups/monday")
+def backup(
+    folder: Folder,
+    target: Annotated[Path, typer.Argument(metavar="TARGET", help="A new folder, which is a site like this one.")],
+) -> None:
+    """Copy a site while it runs."""
+    config = opened(folder)
+    from rcj_challenges.web.backup import back_up
+
+    try:
+        back_up(config, target)
+    except OSError as error:
+        raise RcjError(f"{sanitize(target)}: {format_error(error)}", "choose another disk", code=CANNOT_OPEN) from error
+    typer.echo(f"made {target}; check it with: rcj-challenge site doctor {target}")
+
+
+@site_app.command("doctor", cls=Command, epilog="rcj-challenge site doctor backups/monday")
+def doctor(folder: Folder) -> None:
+    """Look for what is missing or damaged in the data of a site.
+
+    Exit status: 0: all is well; 2: it is not.
+    """
+    config = opened(folder)
+    from rcj_challenges.web.backup import problems
+
+    found = list(problems(config))
+    for problem in found:
+        typer.echo(problem)
+    if found:
+        raise RcjError(f"{len(found)} problems", "docs/site.md says what to do", code=SITE_PROBLEMS)
+    typer.echo("all is well")
 
 
 @site_app.command(

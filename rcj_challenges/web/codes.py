@@ -60,3 +60,9 @@ Ask the organizers.""")
 NO_LADDER = Code("no-ladder", page="""
 The season does not exist, or its ladder has not begun.
 Take the number from the page of the ladder.""")
+BACKUP_DATABASE = Code("backup-database", page="""
+`site backup` copies the SQLite database of a site. The database of this site is a server of PostgreSQL.
+Make its backup with `pg_dump`, and copy the folder of the site after it.""")
+SITE_PROBLEMS = Code("site-problems", page="""
+`site doctor` has found archives or scenarios that are missing or damaged, or jobs that are stuck.
+Copy what is missing from a backup. Jobs can be tried again on the desk.""")

@@ -51,7 +51,7 @@ def table_of(basis: Basis) -> Table:
     )
     accepted = Submission.objects.filter(season=basis.season_id, state=State.ACCEPTED).count()
     playing = tuple(sorted(matchmaking.playing_now(basis.season)))
-    return _computed(basis, (*counts.values(), accepted), playing)
+    return _computed(basis, (basis.season.secret_hash, *counts.values(), accepted), playing)
 
 
 def published(season: Season) -> Results | None:
