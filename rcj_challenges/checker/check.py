@@ -119,12 +119,7 @@ def crashed_report(named: SubmissionName, message: str, details: str = "") -> Fi
 
 
 def unchecked_report(named: SubmissionName, hindrance: str) -> FileReport:
-    """Return the report on a submission that this computer could not check: nothing is known about it.
-
-    Args:
-        named: its names.
-        hindrance: what could not be done.
-    """
+    """Return the report on a submission that this computer could not check: nothing is known about it."""
     return _report_without_check(named, None, sanitize(hindrance, 400))
 
 

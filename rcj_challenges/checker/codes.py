@@ -1,7 +1,5 @@
 """Codes of the findings of ``rcj-challenge check``."""
 
-from __future__ import annotations
-
 from rcj_challenges.core.code import Code
 
 # fmt: off

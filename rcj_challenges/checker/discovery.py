@@ -49,9 +49,6 @@ class Submissions:
 def find_submissions(given: Sequence[Path]) -> Submissions:
     """Return the submissions: of a folder full of archives each of them, everything else as it is.
 
-    Args:
-        given: files and folders that exist.
-
     Raises:
         OSError: a folder cannot be looked into.
     """

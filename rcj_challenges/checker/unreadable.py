@@ -57,12 +57,7 @@ _WITHOUT_MESSAGE = {
 
 
 def describe_error(source: Source, content: bytes) -> tuple[Code, str, str]:
-    """Return code, message and help of a file that is not valid Python.
-
-    Args:
-        source: the reader's answer.
-        content: of the file.
-    """
+    """Return code, message and help of a file that is not valid Python."""
     if source.wrong in _WITHOUT_MESSAGE:
         return _WITHOUT_MESSAGE[source.wrong]
     message = sanitize(source.message)

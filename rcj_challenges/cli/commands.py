@@ -1,8 +1,6 @@
 """All commands, in the order in which ``--help`` lists them below each heading."""
 
 # ruff: noqa: F401, I001 - each module adds its command to the app when it is imported, so their order counts
-from __future__ import annotations
-
 from rcj_challenges.cli import run
 from rcj_challenges.cli import validate
 from rcj_challenges.cli import test

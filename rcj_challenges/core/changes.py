@@ -11,11 +11,7 @@ from rcj_challenges.core.amounts import Score
 
 @dataclass(frozen=True, slots=True)
 class PhaseChange:
-    """Another phase, or the first one of a half.
-
-    Attributes:
-        waiting_for_kickoff: the flag that programs get.
-    """
+    """Another phase, or the first one of a half."""
 
     tick: int
     phase: str

@@ -1,7 +1,5 @@
 """Codes that several packages report: missing resources, and files that cannot be read or written."""
 
-from __future__ import annotations
-
 from rcj_challenges.core.code import Code
 
 # fmt: off

@@ -1,7 +1,5 @@
 """Codes about files of scenarios and tournaments; those of lint are defined by its rules."""
 
-from __future__ import annotations
-
 from rcj_challenges.core.code import Code
 
 # fmt: off

@@ -1,7 +1,5 @@
 """Codes about submissions: archives, layout and names."""
 
-from __future__ import annotations
-
 from rcj_challenges.core.code import Code
 
 # fmt: off

@@ -1,7 +1,5 @@
 """Codes about tournaments: files, submissions, data, rulings and the site."""
 
-from __future__ import annotations
-
 from rcj_challenges.core.code import Code
 
 # fmt: off

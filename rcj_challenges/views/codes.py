@@ -1,7 +1,5 @@
 """Codes about pictures, videos and the live view."""
 
-from __future__ import annotations
-
 from rcj_challenges.core.code import Code
 
 # fmt: off

@@ -1,7 +1,5 @@
 """Settings for the type checker only: its Django plug-in needs a module with some."""
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 

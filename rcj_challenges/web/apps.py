@@ -1,7 +1,5 @@
 """Registers the site with Django."""
 
-from __future__ import annotations
-
 from django.apps import AppConfig
 
 

@@ -1,7 +1,5 @@
 """Errors of the site's commands."""
 
-from __future__ import annotations
-
 from rcj_challenges.core.errors import RcjError
 
 

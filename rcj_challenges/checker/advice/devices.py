@@ -42,14 +42,7 @@ def missing_sentence(name: str) -> str:
 
 
 def none_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any], notes: Iterable[Note]) -> Hint | None:
-    """Return the hint for a crash over None that was returned for a device or a call of a supervisor; else None.
-
-    Args:
-        scenario: what was played.
-        team: whose program crashed.
-        fault: as in the result.
-        notes: of the robot's program.
-    """
+    """Return the hint for a crash over None that was returned for a device or a call of a supervisor; else None."""
     if not _METHOD_OF_NONE.search(fault["detail"]):
         return None
     missing = missing_devices(notes)

@@ -28,13 +28,7 @@ _FORMS = {
 
 
 def packet_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hint | None:
-    """Return the hint for a crash that probably comes from the referee's packets; else None.
-
-    Args:
-        scenario: what was played.
-        team: whose program crashed.
-        fault: as in the result.
-    """
+    """Return the hint for a crash that probably comes from the referee's packets; else None."""
     detail, name = fault["detail"], scenario.robots[fault["robot"]].kit
     if not 0 < fault["tick"] <= _FIRST_TICKS or not _PACKET_ERROR.search(detail):
         return None

@@ -16,12 +16,7 @@ _MAX_GROUP_LETTERS = 80
 
 @dataclass(frozen=True)
 class Hint:
-    """The cause of a fault.
-
-    Attributes:
-        code: identifies the hint.
-        help: what to do.
-    """
+    """The cause of a fault."""
 
     code: str
     help: str

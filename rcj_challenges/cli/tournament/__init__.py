@@ -4,8 +4,6 @@ The commands, in the order in which ``--help`` lists them below each heading.
 """
 
 # ruff: noqa: F401, I001 - each module adds its command to the group when it is imported, so their order counts
-from __future__ import annotations
-
 from rcj_challenges.cli.app import ORGANIZE, app
 from rcj_challenges.cli.tournament import plan
 from rcj_challenges.cli.tournament import run

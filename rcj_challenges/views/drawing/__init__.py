@@ -4,8 +4,6 @@ Belongs here: shapes on paper, made of the same numbers that the referee tests. 
 moves, and anything that needs a display.
 """
 
-from __future__ import annotations
-
 from rcj_challenges.views.drawing.field import draw_scenario
 
 __all__ = ["draw_scenario"]
