@@ -69,6 +69,9 @@ IDENTITY_LOGO_ANIMATED = Code("identity.logo_animated", level="warning", repair=
 The logo is animated; only its first picture is shown.
 {_LOGO}""")
 DESIGN_COST = Code("design.cost", "A design is within the budget; the finding has its price table.", level="passed")
+DESIGN_UNUSED_DEVICE = Code("design.unused_device", level="warning", page="""
+A design has a device that costs points, and no program has its name.
+Leave it out, or ask for it with getDevice. If programs put the name together from parts, all is well.""")
 DESIGN_UNUSED = Code("design.unused", level="warning", page="""
 There is a robot.yaml, and the scenario has no guidelines for robots.
 The robots are those of the scenario; the file does no harm.""")

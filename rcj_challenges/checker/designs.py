@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.codes import DESIGN_COST, DESIGN_UNUSED
+from rcj_challenges.checker.codes import DESIGN_COST, DESIGN_UNUSED, DESIGN_UNUSED_DEVICE
 from rcj_challenges.checker.findings import Stage
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.match.designs import brought_by, with_designs
 from rcj_challenges.scenario.codes import DESIGN_OUT_OF_RANGE
-from rcj_challenges.scenario.designs import ROBOT_FILE, price_words
+from rcj_challenges.scenario.designs import ROBOT_FILE, Verdict, price_words
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.submissions.team import Team
 
@@ -35,6 +36,7 @@ def check_designs(team: Team, loaded: Loaded) -> Stage:
         for verdict in brought.verdicts if brought is not None else ():
             found |= dict.fromkeys(_finding(one) for one in verdict.problems)
             found |= dict.fromkeys(_finding(one) for one in verdict.warnings)
+            found |= dict.fromkeys(_unused(team, verdict))
             for design, prices in verdict.prices.items():
                 cost = sum(one.points for one in prices)  # integers
                 if cost > guideline.budget:
@@ -49,6 +51,16 @@ def check_designs(team: Team, loaded: Loaded) -> Stage:
             for one in error.diagnostics:
                 stage.findings.append(_finding(replace(one, code=DESIGN_OUT_OF_RANGE, where=InFile(ROBOT_FILE))))
     return stage
+
+
+def _unused(team: Team, verdict: Verdict) -> Iterator[Diagnostic]:
+    """Yield the devices that cost points and whose name is in no program."""
+    programs = [content for path, content in team.files.items() if path.suffix == ".py"]
+    for design, costs in verdict.costs.items():
+        for device, points in costs.items():
+            if points and not any(device.encode() in program for program in programs):
+                message = f"{design}: no program asks for '{device}', which costs {points}"
+                yield Diagnostic(DESIGN_UNUSED_DEVICE, sanitize(message, _MAX_SHOWN), "", ROBOT_FILE)
 
 
 def _finding(problem: Diagnostic) -> Diagnostic:

@@ -46,11 +46,15 @@ class Priced:
 
 @dataclass
 class Verdict:
-    """What comes of a file: problems and warnings, prices by design, and the design of each robot if all is well."""
+    """What comes of a file: problems and warnings, and the design of each robot if all is well.
+
+    ``prices`` are the tables by design, ``costs`` the points of each device by design and name.
+    """
 
     problems: list[Diagnostic] = field(default_factory=list)
     warnings: list[Diagnostic] = field(default_factory=list)
     prices: dict[str, list[Priced]] = field(default_factory=dict)
+    costs: dict[str, dict[str, int]] = field(default_factory=dict)
     robots: tuple[str, ...] = ()
     designs: Mapping[str, Design] = field(default_factory=dict)
 
@@ -83,6 +87,7 @@ def judge_designs(data: bytes, guideline: Guideline, robots: int, ball_m: float,
             found = _problem(code, f"{name}: {message}", help_, tree, ("designs", name, *path))
             (verdict.problems if found.level == "error" else verdict.warnings).append(found)
         verdict.prices[name] = judge.prices
+        verdict.costs[name] = {device: judge.costs[device] for device in design.devices if device in judge.costs}
     verdict.problems += _robots(file, robots, tree)
     verdict.robots = file.robots or tuple(file.designs) * robots
     return verdict
@@ -134,7 +139,7 @@ class _Judge:
     """Judges one design.
 
     Attributes:
-        prices: its price table, once the findings have been asked for.
+        prices: its price table, once the findings have been asked for; ``costs`` by the name of each part.
     """
 
     def __init__(
@@ -143,7 +148,7 @@ class _Judge:
         self._chassis, self._devices = design.chassis, design.devices
         self._name, self._guideline, self._ball_m, self._kept = name, guideline, ball_m, kept
         self.prices: list[Priced] = []
-        self._costs: dict[str, int] = {}
+        self.costs: dict[str, int] = {}
 
     def findings(self) -> Iterator[_Finding]:
         """Yield all that is wrong or odd."""
@@ -210,7 +215,7 @@ class _Judge:
                 message = f"'{name}': {key} may not be chosen"
                 yield codes.DESIGN_OUT_OF_RANGE, message, "leave it out", (*path, key)
         kind = word.name()
-        self._costs[name] = points
+        self.costs[name] = points
         others = [one for one in self.prices if one.what == kind]
         count, all_points = (others[0].count, others[0].points) if others else (0, 0)
         self.prices = [one for one in self.prices if one.what != kind]
@@ -242,8 +247,8 @@ class _Judge:
     def _budget(self) -> Iterator[_Finding]:
         budget, cost = self._guideline.budget, sum(one.points for one in self.prices)  # integers
         if cost > budget:
-            saving = [name for name, points in self._costs.items() if name in self._devices and points >= cost - budget]
-            help_ = f"leaving out '{min(saving, key=self._costs.__getitem__)}' is enough" if saving else ""
+            saving = [name for name, points in self.costs.items() if name in self._devices and points >= cost - budget]
+            help_ = f"leaving out '{min(saving, key=self.costs.__getitem__)}' is enough" if saving else ""
             message = f"it costs {cost}, {budget} are allowed: {price_words(self.prices)}"
             yield codes.DESIGN_OVER_BUDGET, message, help_, ()
 

@@ -19,6 +19,11 @@ def test_design_within_the_guidelines_passes_with_its_price(tmp_path):
     assert found(tmp_path, design()) == ("passed", ["design.cost"])
 
 
+def test_device_that_costs_points_and_that_no_program_names_is_a_warning(tmp_path):
+    devices = ", eye: {device: camera}, robot: {device: sonar, bearing_rad: 0}, m5: {device: motor, wheel: 0}"
+    assert found(tmp_path, design(devices=devices)) == ("warning", ["design.unused_device", "design.cost"])
+
+
 def test_team_without_designs_passes(tmp_path):
     assert found(tmp_path, None) == ("passed", [])
 
