@@ -9,7 +9,7 @@ from typing import Any
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.scenario.designs import ROBOT_FILE, Verdict, judge_designs
-from rcj_challenges.scenario.kit_devices import kit_of
+from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.team import SuperTeam, Team

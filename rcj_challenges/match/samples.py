@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
-from rcj_challenges.scenario.kit_devices import kit_of
+from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.submissions.team import TeamError, open_team

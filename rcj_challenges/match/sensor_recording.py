@@ -15,7 +15,7 @@ from rcj_challenges.match.driver import Driver
 from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from rcj_challenges.records.writer import RecordWriter
-from rcj_challenges.scenario.kit_devices import devices_of
+from rcj_challenges.scenario.kits import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario
 
 

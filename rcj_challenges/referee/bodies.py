@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import (

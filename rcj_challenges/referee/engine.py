@@ -1,6 +1,6 @@
 """The referee: takes a snapshot, returns an output. The tick contract (ADR 1) as a list of steps.
 
-Detect, then apply: all triggers are judged against the snapshot; then the rules fire in rounds (`rounds`), and at last
+Detect, then apply: all triggers are judged against the snapshot; then the rules fire in rounds (`firing_order`), and at last
 things are set down. After the last tick the rules settle.
 """
 
@@ -18,10 +18,10 @@ from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
+from rcj_challenges.referee.firing_order import Rounds
 from rcj_challenges.referee.log_sentences import no_room_sentence
 from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_placement
 from rcj_challenges.referee.ranking import ranked_counters
-from rcj_challenges.referee.rounds import Rounds
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Places
 from rcj_challenges.rules.fields import Scalar

@@ -8,7 +8,7 @@ from rcj_challenges.core.traffic import DeviceSpec, RobotSpec
 from rcj_challenges.devices.base import Fitted, FixedRay, RobotSetup
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.robots.channels import listening_channels, team_channels
-from rcj_challenges.scenario.kit_devices import devices_of, kit_of, referee_listens
+from rcj_challenges.scenario.kits import devices_of, kit_of, referee_listens
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 

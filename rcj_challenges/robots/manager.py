@@ -21,10 +21,10 @@ from rcj_challenges.robots.radio_hub import RadioHub
 from rcj_challenges.robots.sensors import RobotSensors
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.camera_renderer import CameraRenderer
 from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.poses import Poses
 from rcj_challenges.world.rays import WorldRays
-from rcj_challenges.world.sight import WorldSight
 
 
 class DeviceManager:
@@ -38,7 +38,7 @@ class DeviceManager:
         self._poses = Poses(scenario, roster, world)
         self._queues = {robot: Queue() for robot in robots}
         rays = WorldRays(scenario, roster, world)
-        make_sight = cache(partial(WorldSight, scenario, roster, world))
+        make_sight = cache(partial(CameraRenderer, scenario, roster, world))
         sensors = _make_sensors(fitted, SensorContext(half, rays, self._poses, make_sight))
         self._sensors = {
             robot: RobotSensors(sensors.get(robot, {}), self.specs[robot].values, self._poses.robots[robot])

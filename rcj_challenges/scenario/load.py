@@ -19,7 +19,7 @@ from rcj_challenges.scenario.checks.run import check
 from rcj_challenges.scenario.codes import WRONG_OVERRIDE, WRONG_VALUE
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
-from rcj_challenges.scenario.kit_devices import fill_in_devices
+from rcj_challenges.scenario.kits import fill_in_devices
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.extend import Source, read_chain
 from rcj_challenges.scenario.reading.find import find_scenario

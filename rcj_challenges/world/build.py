@@ -8,7 +8,7 @@ import mujoco
 
 from rcj_challenges.chassis.base import GRAVITY_MPS2
 from rcj_challenges.core.timing import SUBSTEP_S
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import mujoco
 
 from rcj_challenges.devices.poses import NOMINAL_WITHIN_M, RobotPose, Vector
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.ground import Ground

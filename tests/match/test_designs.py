@@ -8,7 +8,7 @@ from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.result import read_result
 from rcj_challenges.scenario.halves import in_half
-from rcj_challenges.scenario.kit_devices import chassis_of, devices_of
+from rcj_challenges.scenario.kits import chassis_of, devices_of
 from rcj_challenges.scenario.load import load_recorded, load_text
 from rcj_challenges.submissions.team import SuperTeam, open_team
 from tests.match.playing import Place

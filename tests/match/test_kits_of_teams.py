@@ -7,7 +7,7 @@ from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import in_half
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.replay.things import bodies_in, visible_things
 from rcj_challenges.views.sheet import sheet_markdown

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.kit_devices import referee_listens, robots_with_emitter
+from rcj_challenges.scenario.kits import referee_listens, robots_with_emitter
 from rcj_challenges.scenario.load import load, load_text
 from tests.scenario.writing import complaints
 

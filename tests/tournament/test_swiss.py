@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.tournament.formats.pairing import Player, pair
+from rcj_challenges.tournament.formats.swiss_pairing import Player, pair
 from rcj_challenges.tournament.season import Outcome
 from tests.tournament.seasons import by_chance, by_strength, names, order, play, season, stage, teams_of
 from tests.tournament.store_helpers import LEAGUE, Home

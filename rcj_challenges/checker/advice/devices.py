@@ -11,7 +11,7 @@ from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.core.traffic import Note
-from rcj_challenges.scenario.kit_devices import devices_of
+from rcj_challenges.scenario.kits import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.team import Team
 

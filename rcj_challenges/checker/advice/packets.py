@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rcj_challenges.checker.advice.table import Hint
-from rcj_challenges.scenario.kit_devices import kit_of
+from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.team import Team

@@ -11,7 +11,7 @@ from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.effects import HalfStart, Places, Removes, SetsPhase
 from rcj_challenges.rules.placement import places
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule

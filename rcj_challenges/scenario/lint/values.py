@@ -17,7 +17,7 @@ from rcj_challenges.rules.kick import MAX_KICK_MPS
 from rcj_challenges.rules.values import longest_s
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.halves import MAX_LENGTHS, clock_may_stop, longest_half_s
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in

@@ -10,9 +10,9 @@ from rcj_challenges.rules.fields import described
 from rcj_challenges.tournament.codes import REMATCH_POSSIBLE, TOO_MANY_ROUNDS
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import by_pot
-from rcj_challenges.tournament.formats.pairing import Player, pair
 from rcj_challenges.tournament.formats.play_off import play_offs
 from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageSize
+from rcj_challenges.tournament.formats.swiss_pairing import Player, pair
 from rcj_challenges.tournament.models import LostBy
 from rcj_challenges.tournament.season import Fixture, StageState, Table
 from rcj_challenges.tournament.standings import Match, table

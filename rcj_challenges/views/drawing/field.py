@@ -10,7 +10,7 @@ from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.scenario.halves import in_half
-from rcj_challenges.scenario.kit_devices import kit_of
+from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
 from rcj_challenges.scenario.positions import start_noise_m, start_pose

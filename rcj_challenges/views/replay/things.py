@@ -7,7 +7,7 @@ from typing import Any
 from pydantic import BaseModel
 
 from rcj_challenges.scenario.halves import in_half
-from rcj_challenges.scenario.kit_devices import kit_of
+from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario

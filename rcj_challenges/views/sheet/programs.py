@@ -14,7 +14,7 @@ from rcj_challenges.rules.base import ValueWord
 from rcj_challenges.rules.effects import Emits
 from rcj_challenges.rules.phrasing import listed, plain
 from rcj_challenges.rules.values import Value, value_words
-from rcj_challenges.scenario.kit_devices import devices_of, referee_listens, robots_with_emitter
+from rcj_challenges.scenario.kits import devices_of, referee_listens, robots_with_emitter
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Broadcast, Rule, Scenario
 from rcj_challenges.views.sheet.document import Block, Items, Section, Table

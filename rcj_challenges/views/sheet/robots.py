@@ -10,7 +10,7 @@ from rcj_challenges.devices.team_receiver import TeamReceiverDevice
 from rcj_challenges.robots.channels import entrant_of, team_channels
 from rcj_challenges.rules.phrasing import heading, listed, metres_alike, plain
 from rcj_challenges.scenario.halves import in_half
-from rcj_challenges.scenario.kit_devices import devices_of
+from rcj_challenges.scenario.kits import devices_of
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.shapes import point_words

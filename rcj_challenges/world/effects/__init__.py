@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rcj_challenges.chassis.base import Chassis, Drive, Mount, Physics
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.effects.bumpers import Bumpers
 from rcj_challenges.world.effects.cylinder_contacts import CylinderContacts

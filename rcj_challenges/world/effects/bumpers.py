@@ -8,7 +8,7 @@ import numpy as np
 
 from rcj_challenges.chassis.base import YAW
 from rcj_challenges.devices.touch_sensor import TouchSensorDevice
-from rcj_challenges.scenario.kit_devices import devices_of
+from rcj_challenges.scenario.kits import devices_of
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.tables import NO_THING, one_by_one
 

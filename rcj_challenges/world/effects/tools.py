@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from rcj_challenges.chassis.base import YAW, is_at_front
 from rcj_challenges.devices.base import Device
-from rcj_challenges.scenario.kit_devices import chassis_of, devices_of
+from rcj_challenges.scenario.kits import chassis_of, devices_of
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.tables import one_by_one
 

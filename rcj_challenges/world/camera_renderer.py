@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from rcj_challenges.core.colours import hex_colour
 from rcj_challenges.devices.base import Eye
-from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.shapes import floor_of, floor_outline, goal_floor
@@ -55,7 +55,7 @@ class _Prism:
     entity: int = -1
 
 
-class WorldSight:
+class CameraRenderer:
     """Takes the pictures of all cameras of a half."""
 
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:

@@ -15,7 +15,7 @@ from numpy._core._multiarray_umath import __cpu_dispatch__, __cpu_features__
 
 from rcj_challenges.devices.base import Eye
 from rcj_challenges.world import contact
-from rcj_challenges.world.sight import BEYOND, FLOOR, LINE, WALL, WorldSight
+from rcj_challenges.world.camera_renderer import BEYOND, FLOOR, LINE, WALL, CameraRenderer
 from tests.world.physics_stage import Stage
 
 LOOK = Eye(bearing_rad=0.0, ahead_m=0.03, height_m=0.06, width=96, height=72, fov_rad=math.pi / 3, down=0.62)
@@ -81,7 +81,7 @@ def geoms_by_ray(stage: Stage, robot: str, eye: Eye) -> np.ndarray:
     return geoms.reshape(eye.height, eye.width)
 
 
-def colours_by_ray(stage: Stage, sight: WorldSight, robot: str, eye: Eye) -> np.ndarray:
+def colours_by_ray(stage: Stage, sight: CameraRenderer, robot: str, eye: Eye) -> np.ndarray:
     """Return the kind of what each pixel shows: 0 floor, 1 walls and goals, 2 nothing, else 3 + the palette's number."""
     model, scenario = stage.world.model, stage.scenario
     kinds = {-1: 2}
@@ -97,7 +97,7 @@ def colours_by_ray(stage: Stage, sight: WorldSight, robot: str, eye: Eye) -> np.
     return np.vectorize(kinds.get)(geoms_by_ray(stage, robot, eye))
 
 
-def colours_in(picture: bytes, sight: WorldSight, eye: Eye) -> np.ndarray:
+def colours_in(picture: bytes, sight: CameraRenderer, eye: Eye) -> np.ndarray:
     """Return the same of a picture."""
     numbers = np.frombuffer(picture, np.uint8).reshape(eye.height, eye.width)
     field = {BEYOND: 2, FLOOR: 0, LINE: 0, WALL: 1}
@@ -120,7 +120,7 @@ LENSES = {
 @pytest.mark.parametrize("lens", LENSES)
 def test_a_picture_shows_what_rays_through_its_pixels_meet(stage: Stage, lens: str) -> None:
     eye, rng = LENSES[lens], random.Random(lens)  # noqa: S311
-    sight = WorldSight(stage.scenario, stage.roster, stage.world)
+    sight = CameraRenderer(stage.scenario, stage.roster, stage.world)
     robots = list(stage.scenario.robots)
     for _ in range(6):
         scatter(stage, rng)
@@ -133,7 +133,7 @@ def test_a_picture_shows_what_rays_through_its_pixels_meet(stage: Stage, lens: s
 def digest() -> str:
     """Return the digest of some pictures."""
     stage, rng = Stage(obstacles=OBSTACLES, field={"goals": GOALS}), random.Random(3)  # noqa: S311
-    sight, seen = WorldSight(stage.scenario, stage.roster, stage.world), hashlib.sha256()
+    sight, seen = CameraRenderer(stage.scenario, stage.roster, stage.world), hashlib.sha256()
     for _ in range(3):
         scatter(stage, rng)
         for eye in LENSES.values():
