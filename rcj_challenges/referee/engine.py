@@ -1,7 +1,7 @@
 """The referee: takes a snapshot, returns an output. The tick contract (ADR 1) as a list of steps.
 
-Detect, then apply: all triggers are judged against the snapshot; then the rules fire in rounds (`firing_order`), and at last
-things are set down. After the last tick the rules settle.
+Detect, then apply: all triggers are judged against the snapshot; then the rules fire in rounds (`firing_order`), and
+at last things are set down. After the last tick the rules settle.
 """
 
 from __future__ import annotations

@@ -147,6 +147,6 @@ def test_pictures_are_the_same_without_the_fast_instructions_of_this_processor()
     if not fast:
         pytest.skip("numpy has no fast instructions to switch off here")
     simple = {**os.environ, "NPY_DISABLE_CPU_FEATURES": fast}
-    program = "from tests.world.test_world_sight import digest; print(digest())"
+    program = "from tests.world.test_camera_renderer import digest; print(digest())"
     ran = subprocess.run([sys.executable, "-c", program], env=simple, capture_output=True, text=True, check=True)
     assert ran.stdout.strip() == digest()
