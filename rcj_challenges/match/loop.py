@@ -113,8 +113,7 @@ class TickLoop:
             self._apply_late_requests(tick)
         faults, self._faults = tuple(self._faults), []
         snapshot = stage.world.step(tick, faults)
-        messages = stage.devices.messages_to_referee(tick)
-        if messages:
+        if messages := stage.devices.messages_to_referee(tick):
             snapshot = snapshot._replace(messages=messages)
         state = stage.world.state_bytes()
         output = stage.referee.judge(snapshot)

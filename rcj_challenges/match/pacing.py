@@ -56,10 +56,8 @@ class TickEffects:
             self.observer.progressed(self._progress(tick, output))
         if self._shown and tick % _OUTPUT_EVERY_TICKS == 0:
             self._show_output()
-        if self.real_time:
-            ahead_s = self._began_s + tick * TICK_S - time.perf_counter()
-            if ahead_s > 0:
-                time.sleep(ahead_s)
+        if self.real_time and (ahead_s := self._began_s + tick * TICK_S - time.perf_counter()) > 0:
+            time.sleep(ahead_s)
 
     def closed(self, closing: RefereeOutput) -> None:
         """Pass on the output of the rules after the last tick, and show the programs' last output."""
@@ -86,6 +84,5 @@ class TickEffects:
 
     def _show_output(self) -> None:
         for program in self._shown:
-            text = program.new_output()
-            if text:
+            if text := program.new_output():
                 self.observer.printed(program.name, text)

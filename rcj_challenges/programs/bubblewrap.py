@@ -82,7 +82,7 @@ def wait_for_exit(fd: int) -> None:
     """Wait until no process of bubblewrap's lives any more; the program and the outermost one must have ended.
 
     The outermost one does not wait for the first one inside, which lives up to a few hundredths of a second longer on
-    a busy machine. ``fd`` reads the pipe whose write end `held_open_until_exit` was given.
+    a busy machine. ``fd`` reads the pipe whose write end `held_open_until_exit` was given, or is that of a process.
     """
     poll = select.poll()
     poll.register(fd, select.POLLIN)
@@ -111,8 +111,6 @@ def kill_innermost(pid: int) -> None:
         fd = os.pidfd_open(inner)
         try:
             signal.pidfd_send_signal(fd, signal.SIGKILL)
-            poll = select.poll()
-            poll.register(fd, select.POLLIN)
-            poll.poll(_GONE_S * 1000)
+            wait_for_exit(fd)
         finally:
             os.close(fd)

@@ -348,8 +348,7 @@ class Program:
 
     def _too_slow(self) -> Fault:
         limits = self._limits
-        violation = self._violation()
-        if violation is not None:
+        if (violation := self._violation()) is not None:
             return self._fail(*violation)
         kind = self.budget.exceeded or "step_timeout"
         detail = {
@@ -375,8 +374,7 @@ class Program:
 
         Its threads do not count: how many of them have ended by now is another thing in each run.
         """
-        violation = self._prints_too_much() or self._writes_too_much()
-        if violation is not None:
+        if (violation := self._prints_too_much() or self._writes_too_much()) is not None:
             return self._fail(*violation)
         if _NO_ROOM.search(detail + traceback):
             ended = self._end_all_over_share()
@@ -432,8 +430,7 @@ class Program:
         self._check_at_s = self.budget.waited_s + _SLICE_S
         if self._process.has_lost_main_thread():
             return "exit", "the program's main thread ended while other threads kept running"
-        written = self._writes_too_much(times, closely=closely)
-        if written is not None:
+        if (written := self._writes_too_much(times, closely=closely)) is not None:
             return written
         # Besides those that it may start it has its main thread and the watching one.
         if self._process.threads() > times * self._limits.processes + 2:

@@ -128,8 +128,7 @@ class Codec:
             if body[:5] != _REQUEST_BEGINS.pack(REQUEST, tick):
                 return _other_than_request(body, tick)
         # Most requests repeat the one before.
-        asked = body[5:]
-        if asked != self._asked_last:
+        if (asked := body[5:]) != self._asked_last:
             self._request = self._requested(body)
             self._asked_last = asked
         return self._request

@@ -351,11 +351,10 @@ class _HalfReader:
     def track(self) -> HalfTrack:
         """Return all that was added."""
         rows = np.concatenate(self._rows)
-        fields = {name: np.ascontiguousarray(rows[name]) for name in self._dtype.names or ()}
         return HalfTrack(
             info=self._info,
             start=self._notes["start"].get(0),
-            **fields,
+            **{name: np.ascontiguousarray(rows[name]) for name in self._dtype.names or ()},
             touch_pairs=np.concatenate(self._pairs),
             placements=self._notes["placements"],
             faults=self._notes["faults"],

@@ -32,8 +32,7 @@ class TeamRadio:
             if poses.robots[emitter.robot].parked:
                 emitter.clear()
                 continue
-            arriving = emitter.arriving(tick)
-            if arriving:
+            if arriving := emitter.arriving(tick):
                 _spread(emitter, arriving, listeners, poses)
 
 

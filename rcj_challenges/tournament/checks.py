@@ -79,8 +79,7 @@ class Checks:
         for path, names in ({("stages",): stages} | challenges).items():
             first: dict[str, str] = {}
             for name in names:
-                twin = first.setdefault(name.casefold(), name)
-                if twin != name:
+                if (twin := first.setdefault(name.casefold(), name)) != name:
                     message = f"the names '{twin}' and '{name}' differ by case only"
                     yield self._at((*path, name), codes.SAME_NAME, message, "give one of them another name")
 
@@ -126,8 +125,7 @@ class Checks:
                 info = self.scenarios.get(use)
                 for message, help_ in stage.scenario_problems(info) if info is not None else ():
                     yield self._at(path, codes.WRONG_SEATS, message, help_)
-        tie = self.tournament.drawn.tie_scenario
-        if tie is not None:
+        if (tie := self.tournament.drawn.tie_scenario) is not None:
             path = ("drawn", "tie_scenario", "scenario")
             yield from self._seat_count(path, self.names.use(tie.scenario, tie.set), {1, 2})
 
@@ -136,8 +134,7 @@ class Checks:
         if info is not None and len(info.seats) not in wanted:
             need = " or ".join(map(str, sorted(wanted)))
             message = f"scenario '{info.id}' has {len(info.seats)} seat(s) ({listing(info.seats)}); {need} needed here"
-            help_ = "matches are played by two, challenges by one"
-            yield self._at(path, codes.WRONG_SEATS, message, help_)
+            yield self._at(path, codes.WRONG_SEATS, message, "matches are played by two, challenges by one")
 
     # --- where teams come from ----------------------------------------------------------------------------------------
 
@@ -158,8 +155,7 @@ class Checks:
             help_ = did_you_mean(stage.from_, before, f"Earlier stages: {listing(before) or 'none'}")
             yield self._at((*path, "from"), codes.UNREACHABLE_STAGE, message, help_)
             return
-        source = self.tournament.stages[stage.from_]
-        if not source.RANKS_TEAMS:
+        if not self.tournament.stages[stage.from_].RANKS_TEAMS:
             message = f"'{stage.from_}' ranks super teams, not teams"
             yield self._at((*path, "from"), codes.UNREACHABLE_STAGE, message, "take the teams from another stage")
         if isinstance(stage.places, str) and (numbers := stage.place_range(0))[0] > numbers[1]:
@@ -177,8 +173,7 @@ class Checks:
             message = f"{size.teams} team(s) come into this stage, at least {stage.MIN_TEAMS} needed"
             yield self._at(path, codes.TOO_FEW_TEAMS, message, "take more places, or remove the stage")
             return
-        intake = Intake(size.teams, self.teams, self.names, self.scenarios)
-        for one in stage.problems(intake, size):
+        for one in stage.problems(Intake(size.teams, self.teams, self.names, self.scenarios), size):
             keys = one.where.keys if isinstance(one.where, InTree) else ()
             yield self._at((*path, *keys), one.code, one.message, one.help, one.level)
         if isinstance(stage.release, tuple) and len(stage.release) not in (1, size.rounds):
@@ -191,8 +186,7 @@ class Checks:
             if stage.place_range(count)[1] > count:
                 where = f"group {group} of '{stage.from_}'" if group else f"'{stage.from_}'"
                 message = f"places {stage.places} of '{stage.from_}': {where} has {count} teams only"
-                help_ = "take fewer places, or add teams"
-                yield self._at((*path, "places"), codes.TOO_FEW_TEAMS, message, help_)
+                yield self._at((*path, "places"), codes.TOO_FEW_TEAMS, message, "take fewer places, or add teams")
                 return
 
     def _undecided(self, name: str, stage: Stage, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:

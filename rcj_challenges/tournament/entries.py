@@ -161,8 +161,7 @@ class TeamLists:
     def _refuse_same_ids(self, entries: Mapping[str, TeamEntry]) -> None:
         first: dict[str, str] = {}
         for key in entries:
-            twin = first.setdefault(key.casefold(), key)
-            if twin != key:
+            if (twin := first.setdefault(key.casefold(), key)) != key:
                 message = f"the team ids '{twin}' and '{key}' differ by case only"
                 self._add(("teams", key), codes.SAME_TEAM_ID, message, "give one of them another id", at_key=True)
 

@@ -154,8 +154,7 @@ class Workplace:
             DiagnosticError: it is not there.
         """
         packed = self.submissions / f"{archive}.zip"
-        single = sorted((self.submissions / archive).glob("*.py"))
-        for path in (packed, *single):
+        for path in (packed, *sorted((self.submissions / archive).glob("*.py"))):
             if path.is_file():
                 return path
         raise data_file_error(packed, "no such file")

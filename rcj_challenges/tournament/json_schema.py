@@ -16,14 +16,13 @@ def tournament_schema() -> dict[str, Any]:
     """Return the JSON schema (draft 2020-12) of a tournament file."""
     writer = SchemaWriter(with_params=False)
     properties = writer.properties(Tournament, partial=False)
-    required = [name for name, info in Tournament.model_fields.items() if info.is_required()]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "RCJ Challenges tournament",
         "description": sentence_of(Tournament),
         "type": "object",
         "properties": properties,
-        "required": required,
+        "required": [name for name, info in Tournament.model_fields.items() if info.is_required()],
         "anyOf": [{"required": ["teams"]}, {"required": ["teams_folder"]}],
         "additionalProperties": False,
         "$defs": dict(sorted(writer.definitions.items())),

@@ -154,8 +154,7 @@ def _samples(
     """Return the sample team for each challenge."""
     found: dict[tuple[str, str], Path | None] = {}
     for key, one in tournament.challenges.items():
-        loaded = scenarios.get(names.use(one.scenario, one.set))
-        if loaded is not None:
+        if (loaded := scenarios.get(names.use(one.scenario, one.set))) is not None:
             from rcj_challenges.match.samples import sample_team  # noqa: PLC0415 - few tournaments need it
 
             bases = [load(base).scenario for base in loaded.bases]

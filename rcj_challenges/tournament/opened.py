@@ -93,10 +93,8 @@ class OpenTournament:
     @cached_property
     def drawn(self) -> Drawn:
         """The draws so far; new ones are added."""
-        if has_begun := self.store.has_begun():
-            kept = self.store.drawn()
-            if kept is not None:
-                return Drawn(**kept)
+        if (has_begun := self.store.has_begun()) and (kept := self.store.drawn()) is not None:
+            return Drawn(**kept)
         drawn = Drawn.of(self.loaded.tournament.seed, self.loaded.teams())
         if has_begun:  # by a version that kept no draws: its Swiss rounds stay as it has paired them
             drawn.by_exchanges = True

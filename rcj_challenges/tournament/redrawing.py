@@ -73,8 +73,7 @@ def add_teams(tournament: OpenTournament, late: Sequence[str]) -> list[str]:
         too_late = [one.name for one in open_to_all if one.name not in entered]
         if not entered:
             message = f"it is too late for '{team}': {listing(too_late)} has been drawn or is finished"
-            help_ = "remove it; or draw again with --redraw"
-            raise DiagnosticError(Diagnostic(ADDED_TOO_LATE, message, help_))
+            raise DiagnosticError(Diagnostic(ADDED_TOO_LATE, message, "remove it; or draw again with --redraw"))
         why = f"; too late for {listing(too_late)}" if too_late else ""
         lines.append(f"{team} plays from stage {entered[0]} on{why}")
     drawn.check(tournament.loaded.tournament.seed, teams)

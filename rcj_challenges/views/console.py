@@ -33,7 +33,6 @@ class PatientConsole(Console):
 def console_for(*, to_stderr: bool = False) -> Console:
     """Return the console for people; output that the terminal's encoding lacks is replaced, never an error."""
     stream = sys.stderr if to_stderr else sys.stdout
-    reconfigure = getattr(stream, "reconfigure", None)
-    if reconfigure is not None:
+    if (reconfigure := getattr(stream, "reconfigure", None)) is not None:
         reconfigure(errors=READABLE)
     return PatientConsole(file=stream, soft_wrap=False)

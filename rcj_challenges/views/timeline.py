@@ -151,8 +151,7 @@ class TimelineBuilder:
                     half.scores.append((change.tick, score))
                     news = replace(news, score=score)
                 case CountersChange():
-                    counted = self._ranking.by_team(change.counters)
-                    if counted is not None:
+                    if (counted := self._ranking.by_team(change.counters)) is not None:
                         half.counted.append((change.tick, counted))
                         news = replace(news, counted=counted)
         return news

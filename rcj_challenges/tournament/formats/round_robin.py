@@ -56,8 +56,7 @@ class RoundRobin(LeagueFormat):
             return
         if self.from_ is not None:
             message = "the teams of the groups are listed, and taken from another stage"
-            help_ = "give the number of groups, or remove 'from'"
-            yield issue(LISTED_TEAMS, ("groups",), message, help_)
+            yield issue(LISTED_TEAMS, ("groups",), message, "give the number of groups, or remove 'from'")
             return
         yield from listed_problems("groups", self.groups, intake.present)
         missing = [team for team in intake.present if all(team not in listed for listed in self.groups.values())]

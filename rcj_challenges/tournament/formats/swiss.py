@@ -105,8 +105,7 @@ class _Course:
         return table("", self.order, self.matches, self.context.rules(), complete=complete, extra_points=points)
 
     def _draw(self, number: int) -> tuple[list[Fixture], str]:
-        rows = self.table(complete=False).rows
-        present = [row for row in rows if self.context.stays(row.team, number)]
+        present = [row for row in self.table(complete=False).rows if self.context.stays(row.team, number)]
         # Wins and losses, not points and places: rules of tables that change later leave a drawn round as it is.
         counts = sorted((row.team, row.won, row.drawn, row.lost, self.free_wins[row.team]) for row in present)
         inputs = number, counts, [fixture.id for fixture in self.fixtures]

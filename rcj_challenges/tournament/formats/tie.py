@@ -151,8 +151,7 @@ class TieGame:
 
     def _tie_scenario(self, result: TieResult) -> TieResult:
         """Go on with the tie scenario, if the file has one; then with a lot."""
-        tie = self.context.tournament.drawn.tie_scenario
-        if tie is not None:
+        if (tie := self.context.tournament.drawn.tie_scenario) is not None:
             use = self.context.names.use(tie.scenario, tie.set)
             is_alone = len(self.context.scenarios[use].seats) == 1
             title, leg, seed_path = f"{self.title}, tie scenario", len(result.fixtures) + 1, f"{self.path}/tie_scenario"

@@ -43,8 +43,7 @@ def publish_premieres(tree: Tree, data: Tree, season: Season, renderer: Renderer
             continue
         tree.write(f"premiere/{match.slug}.html", _page(season, match))
         played = season.played(match.fixture)
-        recording = _recording(match, played.record if played else None)
-        if recording:
+        if recording := _recording(match, played.record if played else None):
             data.write(f"{match.slug}.js", recording)
             recordings.append(Recording(data.target / f"{match.slug}.js", match.at))
             if match.at <= season.source.now:

@@ -66,14 +66,12 @@ def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
     for robot in sorted(own):
         with suppress(OSError):
             text = (record / LOGS / f"{robot}.log").read_text("utf-8", "replace")
-            mine = own_log(text, halves, [half for half in halves if (half, robot) in robots])
-            if mine:
+            if mine := own_log(text, halves, [half for half in halves if (half, robot) in robots]):
                 tree.write(f"{folder}/{robot}.log", mine)
     with suppress(OSError, ValueError):
         page = read_replay((record / REPLAY).read_text("utf-8"))
         facts = public_facts(page.facts, robots)
-        sensing = _sensing(facts, record, robots)
-        if sensing:  # else it would be the one of the site
+        if sensing := _sensing(facts, record, robots):  # else it would be the one of the site
             tree.write(f"{folder}/replay.html", page_text(facts, page.poses, sensing))
 
 

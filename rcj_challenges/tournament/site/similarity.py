@@ -70,8 +70,7 @@ def similar_pairs(submissions: Mapping[str, Mapping[str, Path]]) -> tuple[list[S
     whole = {team: frozenset[int]().union(*files.values()) for team, files in programs.items()}
     found = []
     for first, second in combinations(sorted(programs), 2):
-        share = _share(whole[first], whole[second])
-        if share >= LEAST_SHARE:
+        if (share := _share(whole[first], whole[second])) >= LEAST_SHARE:
             found.append(SimilarPair(first, second, share, _similar_files(programs[first], programs[second])))
     return sorted(found, key=lambda pair: -pair.share)[:_MAX_PAIRS], unread
 

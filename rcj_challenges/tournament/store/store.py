@@ -392,8 +392,7 @@ def _count(
 
 
 def _forget(connection: sa.Connection, fixtures: Iterable[str]) -> None:
-    forgotten = [{"one": fixture} for fixture in fixtures]
-    if forgotten:
+    if forgotten := [{"one": fixture} for fixture in fixtures]:
         connection.execute(sa.delete(PLAYED).where(PLAYED.c.fixture == sa.bindparam("one")), forgotten)
 
 

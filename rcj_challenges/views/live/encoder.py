@@ -38,11 +38,10 @@ _SEEN_BEYOND_M = 3.0
 def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[str, Any]:
     """Return the facts of the page before the first half; titles are by the seats of the first half."""
     names = {team: titles.get(team) or team for team in scenario.entrants}
-    apart = distinct_names(names, sides_change=changes_sides(scenario))
     return {
         "tick_s": TICK_S,
         **visible_things(scenario),
-        "teams": team_facts(apart),
+        "teams": team_facts(distinct_names(names, sides_change=changes_sides(scenario))),
         "halves_planned": scenario.match.halves,
         "half_ticks_planned": [ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)],
         "channels": [{"name": name, "unit": unit} for name, unit in units(_unit_m(scenario)).items()],

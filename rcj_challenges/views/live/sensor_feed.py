@@ -53,8 +53,7 @@ class HalfSensorFeed:
         """Return all that was stored since the last call, framed."""
         parts = []
         for number, (waiting, encoder) in enumerate(zip(self._rows, self._encoders, strict=True)):
-            rows = [waiting.popleft() for _ in range(len(waiting))]
-            if rows:
+            if rows := [waiting.popleft() for _ in range(len(waiting))]:
                 parts.append(reading_message(self._half, number, len(rows), encoder.steps(b"".join(rows))))
         return b"".join([*parts, *self._lines()])
 

@@ -142,8 +142,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         """Show the page, the feed or the replay."""
-        path = self._path()
-        if path == "/":
+        if (path := self._path()) == "/":
             self._answer(200, self.server.served.page, _HTML)
         elif path == "/feed":
             self._feed()

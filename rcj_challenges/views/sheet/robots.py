@@ -40,8 +40,7 @@ def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         members = [name for name, robot in scenario.robots.items() if robot.kit == kit_name]
         if members:
             yield f"Kit {kit_name} ({', '.join(map(plain, members))}): {_body(kit, phrases)}"
-        driven = [name for name in members if not scenario.robots[name].idle]
-        if driven:
+        if driven := [name for name in members if not scenario.robots[name].idle]:
             yield (
                 f"Programs for it usually take steps of {kit.control_step_ms} ms; messages are as in version "
                 f"{kit.messages}."

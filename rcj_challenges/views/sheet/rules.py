@@ -23,10 +23,9 @@ def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
 
     Those with ``sheet: false`` are left out, and helpers: they have no sentence and only keep books.
     """
-    rules = sorted(scenario.rules.items(), key=lambda named: named[1].priority)
     return {
         name: rule
-        for name, rule in rules
+        for name, rule in sorted(scenario.rules.items(), key=lambda named: named[1].priority)
         if rule.sheet and (rule.says or not all(isinstance(one, _BOOKKEEPING) for one in rule.all_effects()))
     }
 

@@ -29,8 +29,7 @@ def require_packages(*packages: str) -> None:
     Raises:
         VideoError: one is missing.
     """
-    missing = [package for package in packages if find_spec(package) is None]
-    if missing:
+    if missing := [package for package in packages if find_spec(package) is None]:
         raise VideoError(
             MISSING_EXTRA,
             f"videos and pictures need optional packages (missing: {', '.join(missing)})",

@@ -44,8 +44,7 @@ class Overlay:
         scores = self._footage.scores(half, t_s)
         frame.paste(self._bar(half.info.half, tuple(scores.items()), moment.speed), (0, 0))
         self._paste(frame, text_mask(clock(t_s), self._text_px, bold=True), self._gap, WHITE)
-        event = self._footage.recent_event(half, t_s, CAPTION_S * moment.speed)
-        if event is not None:
+        if (event := self._footage.recent_event(half, t_s, CAPTION_S * moment.speed)) is not None:
             if self._shown[0] is not event:
                 self._shown = event, self._draw_caption(event)
             box = self._shown[1]

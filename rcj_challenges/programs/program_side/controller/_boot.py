@@ -57,8 +57,7 @@ class Boot:
         """Run the program and report its end to the match, unless the match ended it."""
         _connection.connect(self._connection)
         sys.setswitchinterval(_SWITCH_S)
-        debugger = self._hello.get("debugger")
-        if debugger:
+        if debugger := self._hello.get("debugger"):
             _debugger.wait_for_editor(self._hello["robot"]["name"], **debugger)
         self._prepare_modules()
         reserve = bytearray(_RESERVE_BYTES)  # released before a lack of memory is reported

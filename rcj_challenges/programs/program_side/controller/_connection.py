@@ -86,8 +86,7 @@ class Samples:
 
     def set_period(self, period_ticks: int, tick: int) -> None:
         """Set the period from a tick on; one that the sensor has already goes on."""
-        period = max(1, period_ticks)
-        if period != self._period:
+        if (period := max(1, period_ticks)) != self._period:
             self._period, self._begin = period, tick
 
     def see(self, tick: int, numbers: tuple[Any, ...]) -> None:
@@ -395,8 +394,7 @@ def _layout(devices: list[dict[str, Any]]) -> tuple[str, dict[int, int]]:
     """Return the layout of all devices' numbers in an observation, and the place of each slot's."""
     form, place_of, place = "", {}, HEAD_FIELDS
     for device in sorted(devices, key=lambda device: device["slot"]):
-        width = device["width"]
-        if width:
+        if width := device["width"]:
             place_of[device["slot"]] = place
             packed = device["kind"] == "lidar"
             form += f"{8 * width}s" if packed else f"{width}d"

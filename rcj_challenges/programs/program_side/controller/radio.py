@@ -64,8 +64,7 @@ class Receiver(Sensor):
 
     def nextPacket(self) -> None:
         """Forget the first packet; without one nothing happens."""
-        packets = self._rcj_queue.packets
-        if packets:
+        if packets := self._rcj_queue.packets:
             packets.popleft()
 
     def getData(self) -> Any:
