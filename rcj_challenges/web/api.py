@@ -17,7 +17,8 @@ from rcj_challenges.web.codes import NO_FILE, NO_LADDER
 from rcj_challenges.web.ladder.published import Results
 from rcj_challenges.web.models import Entry, Season, Submission, Team
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
-from rcj_challenges.web.tables import published
+from rcj_challenges.web.seasons import shown_basis
+from rcj_challenges.web.tables import standings_of
 from rcj_challenges.web.views.team import begun, progress_of
 
 
@@ -120,10 +121,10 @@ def look_up(request: HttpRequest, pk: int) -> Status[dict[str, Any]]:
 def season_results(request: HttpRequest, pk: int) -> Status[Results | dict[str, str]]:  # noqa: ARG001 - the name is the library's
     """Return all that the table of a season follows from, and the table."""
     season = Season.objects.filter(pk=pk).first()
-    results = None if season is None else published(season)
-    if results is None:
+    basis = None if season is None else shown_basis(season)
+    if basis is None:
         return Status(404, {"code": NO_LADDER, "message": "there is no season with this number that has begun"})
-    return Status(200, results)
+    return Status(200, standings_of(basis).published)
 
 
 @api.get("me", response=Me)

@@ -9,70 +9,67 @@ from typing import NamedTuple
 
 from django.db.models import Count, Q
 
-from rcj_challenges.web import matchmaking, seasons
-from rcj_challenges.web.ladder.published import PlayedMatch, Program, Results, Row, row_of
-from rcj_challenges.web.ladder.ratings import Fit, fit, standings
-from rcj_challenges.web.models import Basis, Match, MatchKind, Season, State, Submission
+from rcj_challenges.web import matchmaking
+from rcj_challenges.web.ladder.published import PlayedMatch, Program, Results, fit_of, table_of
+from rcj_challenges.web.ladder.ratings import Fit
+from rcj_challenges.web.models import Basis, Match, MatchKind, State, Submission
 
 Record = Counter[str]
 """How matches ended: ``won``, ``drawn`` and ``lost``."""
 
 
-class Table(NamedTuple):
+class Standings(NamedTuple):
     """What follows from the results of a season.
 
     Attributes:
-        rows: of the programs that play now, best first.
+        published: the results and the table, as they are published.
         fitted: the strengths of all programs.
         records: how matches ended, by program and opponent.
     """
 
-    rows: list[Row]
+    published: Results
     fitted: Fit
     records: Mapping[str, Mapping[str, Record]]
 
 
-@lru_cache(maxsize=4)
-def _computed(basis: Basis, _version: tuple[object, ...], playing: tuple[str, ...]) -> Table:
-    results = matchmaking.results_of(basis)
-    fitted = fit(results, matchmaking.programs_of(basis.season))
-    records: dict[str, dict[str, Record]] = {digest: {} for digest in fitted.digests}
-    for one in results:
-        lead = one.blue_goals - one.yellow_goals
-        for own, other, ours in ((one.blue, one.yellow, lead), (one.yellow, one.blue, -lead)):
-            records[own].setdefault(other, Counter())["won" if ours > 0 else "lost" if ours < 0 else "drawn"] += 1
-    return Table([row_of(rating) for rating in standings(fitted, set(playing))], fitted, records)
+def standings_of(basis: Basis) -> Standings:
+    """Return the standings; they are computed once for each change."""
+    season = basis.season
+    matches = Match.objects.filter(basis=basis)
+    counts = matches.aggregate(played=Count("played_at"), void=Count("pk", filter=~Q(void="")))
+    accepted = Submission.objects.filter(season=season, state=State.ACCEPTED).count()
+    version = (season.title, season.secret_hash, season.ended_at, *counts.values(), accepted)
+    return _computed(basis, (*version, *sorted(matchmaking.playing_now(season))))
 
 
-def table_of(basis: Basis) -> Table:
-    """Return the table; it is computed once for each change."""
-    counts = Match.objects.filter(basis=basis).aggregate(
-        played=Count("played_at"), void=Count("pk", filter=~Q(void=""))
-    )
-    accepted = Submission.objects.filter(season=basis.season_id, state=State.ACCEPTED).count()
-    playing = tuple(sorted(matchmaking.playing_now(basis.season)))
-    return _computed(basis, (basis.season.secret_hash, *counts.values(), accepted), playing)
-
-
-def published(season: Season) -> Results | None:
-    """Return what is published of a season; None: its ladder has not begun."""
-    basis = seasons.shown_basis(season)
-    if basis is None:
-        return None
-    playing = matchmaking.playing_now(season)
+@lru_cache(maxsize=2)
+def _computed(basis: Basis, _version: tuple[object, ...]) -> Standings:
+    """Compute all from what is published: matches end meanwhile, and the table must be that of the same results."""
+    season, playing = basis.season, matchmaking.playing_now(basis.season)
     played = Match.objects.filter(basis=basis, kind=MatchKind.RATED, played_at__isnull=False).order_by("number")
     columns = ("number", "seed", "blue__digest", "yellow__digest", "blue_goals", "yellow_goals", "digest", "void")
-    return Results(
+    matches = [
+        PlayedMatch(number=number, seed=seed, blue=blue, yellow=yellow, score=(ours or 0, theirs or 0),
+                    digest=digest, void=void)
+        for number, seed, blue, yellow, ours, theirs, digest, void in played.values_list(*columns)
+    ]  # fmt: skip
+    results = Results(
         season=season.title, scenario=basis.scenario, versions=basis.versions, secret_hash=season.secret_hash,
-        secret=season.secret if season.ended_at is not None else None,
+        secret=season.secret if season.ended_at is not None else None, matches=matches, table=[],
         programs=[
             Program(digest=digest, follows=before, plays=digest in playing)
             for digest, before in matchmaking.programs_of(season).items()
         ],
-        matches=[
-            PlayedMatch(number=number, seed=seed, blue=blue, yellow=yellow, score=(ours or 0, theirs or 0),
-                        digest=digest, void=void)
-            for number, seed, blue, yellow, ours, theirs, digest, void in played.values_list(*columns)
-        ],
-        table=table_of(basis).rows,
     )  # fmt: skip
+    fitted = fit_of(results)
+    results.table = table_of(results, fitted)
+    return Standings(results, fitted, _records(results))
+
+
+def _records(results: Results) -> dict[str, dict[str, Record]]:
+    records: dict[str, dict[str, Record]] = {one.digest: {} for one in results.programs}
+    for one in results.matches:
+        lead = one.score[0] - one.score[1]
+        for own, other, ours in ((one.blue, one.yellow, lead), (one.yellow, one.blue, -lead)) * (not one.void):
+            records[own].setdefault(other, Counter())["won" if ours > 0 else "lost" if ours < 0 else "drawn"] += 1
+    return records

@@ -15,6 +15,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Self
 
@@ -23,7 +24,6 @@ from django.utils import timezone
 
 from rcj_challenges.web import jobs, matchmaking, seasons, tables
 from rcj_challenges.web.config import SiteConfig
-from rcj_challenges.web.ladder.published import row_of
 from rcj_challenges.web.ladder.ratings import Result, fit, standings
 from rcj_challenges.web.models import Audit, Basis, Entry, Job, JobState, Match, Season, State, Submission
 from tests.web.brisk_worker import LEASE_S, result_of
@@ -148,9 +148,10 @@ def assert_matches_are_as_without_kills() -> None:
         expected.append(Result(one.blue.digest, one.yellow.digest, *result["score"].values()))
     basis = Basis.objects.get()
     undisturbed = fit(expected, matchmaking.programs_of(basis.season))
-    table = tables.table_of(basis)
+    table = tables.standings_of(basis)
     assert table.fitted.strengths.tobytes() == undisturbed.strengths.tobytes()
-    assert table.rows == [row_of(one) for one in standings(undisturbed, set(matchmaking.playing_now(basis.season)))]
+    shown = standings(undisturbed, set(matchmaking.playing_now(basis.season)))
+    assert [row.model_dump() for row in table.published.table] == [asdict(rating) for rating in shown]
 
 
 def assert_nothing_is_lost(receipts: list[dict[str, Any]], team_count: int) -> None:

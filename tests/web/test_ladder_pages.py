@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 from django.utils import timezone
 
-from rcj_challenges.web import jobs, matchmaking, seasons
+from rcj_challenges.web import jobs, seasons, tables
 from rcj_challenges.web.blobs import record_folder
 from rcj_challenges.web.config import SiteConfig
-from rcj_challenges.web.ladder.published import Results, table_of
-from rcj_challenges.web.models import Entry, Job, JobState, Match, MatchKind, Season, State, Submission
+from rcj_challenges.web.ladder.published import Results, fit_of, table_of
+from rcj_challenges.web.models import Basis, Entry, Job, JobState, Match, MatchKind, Season, State, Submission
 from tests.web.club import make_match, new_client
 from tests.web.conftest import COMMAND, NOW, make_team
 
@@ -76,7 +76,7 @@ def test_table_shows_ranks_and_their_intervals_and_follows_from_what_is_publishe
     ladder: list[Submission], tmp_path: Path
 ) -> None:
     published = Results.model_validate(results())
-    assert published.table == table_of(published)
+    assert published.table == table_of(published, fit_of(published))
     assert [row.rank for row in published.table] == list(range(1, 9))
     page = new_client().get("/ladder").content.decode()
     for row, one in zip(published.table, ladder, strict=True):
@@ -197,8 +197,16 @@ def test_replay_that_is_gone_is_made_again_when_somebody_asks_but_not_too_many(
     assert (job.state, job.tries) == (JobState.QUEUED, 0)
     codes = [client.post(f"/matches/{one.pk}/again").status_code for one in Match.objects.all()[:25]]
     assert (codes.count(302), codes.count(409)) == (20, 5)
-    Submission.objects.filter(pk=match.blue_id).update(is_deleted=True)
-    assert client.post(f"/matches/{match.pk}/again").status_code == 409
+    Job.objects.all().delete()
+    for model, changed in ((Submission, {"is_deleted": True}), (Basis, {"versions": {"numpy": "0.1"}})):
+        assert client.post(f"/matches/{match.pk}/again").status_code == 302
+        Job.objects.all().delete()
+        before = list(model.objects.values_list("pk", *changed))
+        model.objects.update(**changed)
+        assert client.post(f"/matches/{match.pk}/again").status_code == 409
+        assert b"/again" not in client.get(f"/matches/{match.pk}").content
+        for pk, value in before:
+            model.objects.filter(pk=pk).update(**dict.fromkeys(changed, value))
 
 
 def test_of_each_team_the_last_records_are_kept_and_those_just_made(site: SiteConfig) -> None:
@@ -232,10 +240,27 @@ def test_own_fault_is_marked_and_leads_to_its_moment(site: SiteConfig) -> None:
 
 def test_table_is_computed_anew_only_after_a_change(ladder: list[Submission], monkeypatch: pytest.MonkeyPatch) -> None:
     first = results()["table"]
-    monkeypatch.setattr(matchmaking, "results_of", lambda _: [])
+    monkeypatch.setattr(tables, "fit_of", lambda _: pytest.fail("computed again"))
     assert results()["table"] == first
+    monkeypatch.undo()
     Match.objects.filter(number=1).update(void="x")
     assert results()["table"] != first
+
+
+def test_results_that_are_read_while_a_match_ends_are_those_of_their_table(
+    ladder: list[Submission], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fit_then = tables.fit_of
+
+    def fit_while_a_match_ends(published: Results) -> Any:
+        monkeypatch.undo()
+        Match.objects.filter(number__lte=20).update(void="void now")
+        return fit_then(published)
+
+    monkeypatch.setattr(tables, "fit_of", fit_while_a_match_ends)
+    published = Results.model_validate(results())
+    assert published.table == table_of(published, fit_of(published))
+    assert Results.model_validate(results()).table != published.table
 
 
 def test_match_that_cannot_be_played_is_voided_on_the_desk(ladder: list[Submission]) -> None:

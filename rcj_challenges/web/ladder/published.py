@@ -10,7 +10,7 @@ from pydantic import BaseModel
 
 from rcj_challenges.web.codes import SEEDS_DIFFER, TABLE_DIFFERS
 from rcj_challenges.web.errors import SiteError
-from rcj_challenges.web.ladder.ratings import Rating, Result, fit, standings
+from rcj_challenges.web.ladder.ratings import Fit, Result, fit, standings
 
 _SEED_BYTES = 4
 _SHOWN = 5
@@ -88,20 +88,20 @@ def secret_hash(secret: str) -> str:
     return hashlib.sha256(secret.encode()).hexdigest()
 
 
-def row_of(rating: Rating) -> Row:
-    """Return the row of a rating."""
-    return Row.model_validate(rating, from_attributes=True)
-
-
-def table_of(results: Results) -> list[Row]:
-    """Compute the table from the matches.
+def fit_of(results: Results) -> Fit:
+    """Fit the strengths of programs to the matches that count.
 
     Raises:
         ValueError: a match or a program names a program that is not among them.
     """
     counted = [Result(one.blue, one.yellow, *one.score) for one in results.matches if not one.void]
-    fitted = fit(counted, {one.digest: one.follows for one in results.programs})
-    return [row_of(rating) for rating in standings(fitted, {one.digest for one in results.programs if one.plays})]
+    return fit(counted, {one.digest: one.follows for one in results.programs})
+
+
+def table_of(results: Results, fitted: Fit) -> list[Row]:
+    """Return the table that follows from a fit of the results."""
+    ratings = standings(fitted, {one.digest for one in results.programs if one.plays})
+    return [Row.model_validate(rating, from_attributes=True) for rating in ratings]
 
 
 def ensure_consistent(results: Results, table: list[Row]) -> None:

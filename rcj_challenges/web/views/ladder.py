@@ -16,12 +16,13 @@ from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_POST
 
 from rcj_challenges.records.folder import LOGS, REPLAY, RESULT
-from rcj_challenges.web import jobs, matchmaking, seasons, tables
+from rcj_challenges.web import jobs, matchmaking, seasons
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.blobs import record_folder
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Job, JobState, Match, MatchKind, Season, State, Submission, Team
 from rcj_challenges.web.pages import message_page, page
+from rcj_challenges.web.tables import standings_of
 from rcj_challenges.web.views.guards import plain
 from rcj_challenges.web.views.team import REPLAY_POLICY
 
@@ -41,11 +42,12 @@ def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
     values: dict[str, Any] = {"season": season, "others": others, "rows": [], "cross": [], "number": 1, "is_last": True}
     if season is not None and basis is not None:
         number = max(1, int(text)) if (text := request.GET.get("page", "1")[:4]).isdecimal() else 1
-        playing, table = matchmaking.playing_now(season), tables.table_of(basis)
+        playing, table = matchmaking.playing_now(season), standings_of(basis)
         rows: list[dict[str, Any]] = [
             {"row": row, "teams": [one.team for one in playing[row.digest]],
              "record": sum(table.records[row.digest].values(), Counter())}
-            for row in table.rows
+            for row in table.published.table
+            if row.digest in playing
         ]  # fmt: skip
         values |= {"rows": rows[_ROWS * (number - 1) : _ROWS * number], "number": number,
                    "is_last": len(rows) <= _ROWS * number, "records": table.records,
@@ -61,8 +63,8 @@ def team(request: HttpRequest, pk: int) -> HttpResponse:
     basis = None if season is None else seasons.shown_basis(season)
     values: dict[str, Any] = {"team": found, "versions": [], "matches": [], "season": season}
     if basis is not None:
-        playing, table = matchmaking.playing_now(basis.season), tables.table_of(basis)
-        accepted = Submission.objects.filter(team=found, season=season, state=State.ACCEPTED).defer("report")
+        accepted = list(Submission.objects.filter(team=found, season=season, state=State.ACCEPTED).defer("report"))
+        playing, table = matchmaking.playing_now(basis.season), standings_of(basis)
         values["versions"] = [
             {"submission": one, "value": table.fitted.value_of(one.digest), "plays": one in playing.get(one.digest, ()),
              "record": sum(table.records[one.digest].values(), Counter())}
@@ -106,7 +108,8 @@ def match(request: HttpRequest, pk: int) -> HttpResponse:
 
 
 def _can_repeat(found: Match) -> bool:
-    return not (found.blue.is_deleted or found.yellow.is_deleted)
+    is_there = not (found.blue.is_deleted or found.yellow.is_deleted)
+    return is_there and found.basis.versions == seasons.own_versions()
 
 
 def _own_robots(record: Path, own: list[str]) -> frozenset[tuple[int, str]]:
@@ -173,7 +176,7 @@ def match_again(request: HttpRequest, pk: int) -> HttpResponseBase:
     with jobs.writing():
         waiting = Job.objects.filter(kind="again", state=JobState.QUEUED).count()
         if waiting >= _MAX_AGAIN or not _can_repeat(found):
-            text = gettext("Too many are waiting, or the programs are gone. Try again later.")
+            text = gettext("Too many are waiting, or it can be played no more. Try again later.")
             return message_page(request, 409, gettext("Not now"), text)
         seasons.enqueue(found, "again", timezone.now())
     return redirect("match", pk=pk)
