@@ -20,6 +20,7 @@ from rcj_challenges.web import jobs, matchmaking, seasons
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.blobs import record_folder
 from rcj_challenges.web.config import current_site
+from rcj_challenges.web.ladder.published import Row
 from rcj_challenges.web.models import Job, JobState, Match, MatchKind, Season, State, Submission, Team
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.tables import standings_of
@@ -43,15 +44,18 @@ def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
     if season is not None and basis is not None:
         number = max(1, int(text)) if (text := request.GET.get("page", "1")[:4]).isdecimal() else 1
         playing, table = matchmaking.playing_now(season), standings_of(basis)
-        rows: list[dict[str, Any]] = [
-            {"row": row, "teams": [one.team for one in playing[row.digest]],
-             "record": sum(table.records[row.digest].values(), Counter())}
-            for row in table.published.table
-            if row.digest in playing
-        ]  # fmt: skip
-        values |= {"rows": rows[_ROWS * (number - 1) : _ROWS * number], "number": number,
-                   "is_last": len(rows) <= _ROWS * number, "records": table.records,
-                   "cross": [row for row in rows if row["row"].rank is not None][:_CROSS]}  # fmt: skip
+        rows = [row for row in table.published.table if row.digest in playing]
+        ranked = [row for row in rows if row.rank is not None]
+
+        def shown(some: list[Row]) -> list[dict[str, Any]]:
+            return [
+                {"row": row, "teams": [one.team for one in playing[row.digest]],
+                 "record": sum(table.records[row.digest].values(), Counter())}
+                for row in some
+            ]  # fmt: skip
+
+        values |= {"rows": shown(rows[_ROWS * (number - 1) : _ROWS * number]), "cross": shown(ranked[:_CROSS]),
+                   "records": table.records, "number": number, "is_last": len(rows) <= _ROWS * number}  # fmt: skip
     return page(request, "ladder.html", **values)
 
 
