@@ -1,4 +1,4 @@
-"""``rcj-challenge new``: a commented challenge with a program that plays it, or a team that plays.
+"""``rcj-challenge new``: a commented challenge with a program that plays it, a team that plays, or its robots.
 
 Nothing is ever overwritten.
 """
@@ -30,6 +30,7 @@ _MAX_ID_LENGTH = 64
 _MAX_TITLE_LENGTH = 120
 _NO_LETTER = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]")
 """What cannot stand in a line of YAML, where the file names itself: line breaks, control characters, lone bytes."""
+_KINDS = ("team", "challenge", "robot")
 _TEAM_FILES = {
     "robot.py": "robot.txt",
     "README.md": "README.md",
@@ -44,12 +45,15 @@ class StarterError(RcjError):
     CODE = BAD_NAME
 
 
-@app.register(WRITE, "rcj-challenge new team my_team", "rcj-challenge new challenge relay_race")
+@app.register(
+    WRITE, "rcj-challenge new team my_team", "rcj-challenge new robot my_team", "rcj-challenge new challenge relay_race"
+)
 def new(
     words: Annotated[
         list[str],
         typer.Argument(
-            metavar="[team|challenge] NAME", help="What, and its name or path; one name alone: a challenge."
+            metavar="[team|challenge|robot] NAME",
+            help="What, and its name or path, of a robot that of the team's folder; one name alone: a challenge.",
         ),
     ],
     preset: Annotated[
@@ -61,15 +65,17 @@ def new(
         ),
     ] = None,
 ) -> None:
-    """Write a new team, or a challenge with a first program for it; nothing is overwritten."""
+    """Write a new team, robot.yaml for one, or a challenge with a first program; nothing is overwritten."""
     kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
-    if kind not in ("team", "challenge") or len(words) > 2 or words in (["team"], ["challenge"]):
-        asked = "rcj-challenge new team NAME, or rcj-challenge new challenge NAME"
+    if kind not in _KINDS or len(words) > 2 or words in [[kind] for kind in _KINDS]:
+        asked = "rcj-challenge new team NAME, rcj-challenge new robot TEAM, or rcj-challenge new challenge NAME"
         raise DiagnosticError(Diagnostic(BAD_ARGUMENTS, "new takes one name, and before it what it is", asked))
-    if kind == "team" and preset is not None:
+    if kind != "challenge" and preset is not None:
         raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, "--from is for challenges", "leave it out"))
     if kind == "team":
         _write_team(name)
+    elif kind == "robot":
+        _write_robots(Path(name))
     else:
         _write_challenge(name, preset or "soccersim_v2")
 
@@ -99,6 +105,21 @@ def _write_team(name: str) -> None:
 Now:
   rcj-challenge run match --yellow {shell_quoted(folder)} --blue ball_chaser --duration 1:00 --open
   rcj-challenge check {shell_quoted(folder)}
+""")
+
+
+def _write_robots(folder: Path) -> None:
+    """Write the robots of a team into its folder; print what to do with them.
+
+    Raises:
+        StarterError: it has some.
+    """
+    file = folder / "robot.yaml"
+    _refuse_existing(file)
+    write_new(file, (starters_folder() / "team" / "robot_yaml.txt").read_text(encoding="utf-8"))
+    sys.stdout.write(f"""{file}
+Now, with a challenge that has guidelines for robots:
+  rcj-challenge check {shell_quoted(folder)} --scenario SCENARIO
 """)
 
 

@@ -1,4 +1,4 @@
-"""``rcj-challenge new team`` and ``new challenge``."""
+"""``rcj-challenge new team``, ``new robot`` and ``new challenge``."""
 
 import json
 
@@ -8,8 +8,10 @@ from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.new import StarterError
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs.debugging import PORT
+from rcj_challenges.scenario.designs import judge_designs
 from tests.cli.conftest import ONE_ROBOT
 from tests.cli.in_this_process import here
+from tests.scenario.test_designs import documented_guideline
 
 
 def new(*words):
@@ -50,6 +52,14 @@ def test_it_is_called_after_its_folder_and_reports_five_commands(team):
     assert "TEAM_" not in readme
 
 
+def test_new_robots_of_a_team_are_within_the_guidelines_of_the_reference(team, monkeypatch):
+    assert new("robot", "my_team") == 0
+    verdict = judge_designs((team / "robot.yaml").read_bytes(), documented_guideline(), 3, 0.021, {})
+    assert verdict.problems == verdict.warnings == []
+    with pytest.raises(StarterError):
+        new("robot", "my_team")
+
+
 def test_an_existing_folder_is_left_alone(team):
     (team / "robot.py").write_text("mine", encoding="utf-8")
     with pytest.raises(StarterError, match="exists already; nothing was written"):
@@ -71,7 +81,8 @@ def test_a_challenge_is_what_one_name_alone_makes(tmp_path, monkeypatch):
     [
         ("team",),
         ("challenge",),
-        ("robot", "x"),
+        ("robot",),
+        ("car", "x"),
         ("team", "a", "b"),
         ("team", "x", "--from", "empty_field"),
         ("team", "CON"),

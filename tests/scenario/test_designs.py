@@ -203,16 +203,18 @@ def test_seat_with_a_guideline_that_does_not_exist_is_refused():
     ]
 
 
+def documented_guideline():
+    words = (DOCS / "words" / "devices.yaml").read_text("utf-8").split("--- # ")
+    example = next(part for part in words if part.startswith("guidelines"))
+    return load_text(GUIDELINES.partition("guidelines:")[0] + example.partition("\n")[2]).scenario.guidelines[
+        "workshop"
+    ]
+
+
 def test_design_in_the_documentation_is_within_the_guidelines_in_the_reference():
     page = (DOCS / "design-a-robot.md").read_text("utf-8")
-    example = next(
-        part
-        for part in (DOCS / "words" / "devices.yaml").read_text("utf-8").split("--- # ")
-        if part.startswith("guidelines")
-    )
-    scenario = load_text(GUIDELINES.partition("guidelines:")[0] + example.partition("\n")[2]).scenario
     text = page.partition("```yaml\n")[2].partition("```")[0]
-    verdict = judge_designs(text.encode(), scenario.guidelines["workshop"], 3, 0.021, {})
+    verdict = judge_designs(text.encode(), documented_guideline(), 3, 0.021, {})
     assert [str(one) for one in verdict.problems + verdict.warnings] == []
     cost = sum(one.points for one in verdict.prices["striker"])
     assert f"striker costs {cost} of 3000: 1 omni 1200, 1 kicker 400, 1 compass 150 and 1 sonar 50" in page
