@@ -79,7 +79,7 @@ def row_dtype(robot: SensedRobot) -> np.dtype[np.void]:
 
     ``tick``; ``values``: the numbers of its devices by slot (NaN before the first sample); ``packets``: the ball's, the
     newest last, NaN where there are fewer; ``motors``: the velocities in rad/s that the program set on this
-    observation, NaN while it has not set any or while the motor holds an angle.
+    observation, NaN while it has not set any or while the motor holds an angle; of a kicker while its plunger is back.
     """
     return np.dtype(
         [
@@ -106,6 +106,7 @@ class _Rows:
         self._ball_receivers = {device.index for device in robot.devices if device.name in robot.ball_receivers}
         self._packets = robot.packets
         self._motor_at = {device.index: at for at, device in enumerate(robot.motors)}
+        self._kickers = {at for at, device in enumerate(robot.motors) if device.facts.get("unit") == "m/s"}
         self._motors = [math.nan] * len(robot.motors)
         floats = robot.values + FLOATS_PER_PACKET * robot.packets + len(robot.motors)
         self._pack = struct.Struct(f"<I{floats}d").pack
@@ -129,8 +130,9 @@ class _Rows:
 
     def record_action(self, motors: Sequence[MotorCommand]) -> bytes:
         for command in motors:
-            holds_angle = not math.isinf(command.position_rad)
-            self._motors[self._motor_at[command.device]] = math.nan if holds_angle else command.velocity_radps
+            at, position = self._motor_at[command.device], command.position_rad
+            is_shown = math.isinf(position) or (at in self._kickers and position > 0.0)
+            self._motors[at] = command.velocity_radps if is_shown else math.nan
         row = self._pack(self.tick, *self._values, *self._received, *self._motors)
         self._rows += row
         return row
