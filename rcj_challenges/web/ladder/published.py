@@ -117,7 +117,9 @@ def ensure_consistent(results: Results, table: list[Row]) -> None:
     differing = [row.digest[:16] for row, published in zip_longest(table, results.table) if row != published and row]
     if table != results.table:
         message = f"the published table does not follow from the results: {', '.join(differing[:_SHOWN]) or 'its end'}"
-        raise SiteError(message, "ask the organizers for the reason", code=TABLE_DIFFERS)
+        made_by = results.versions.get("rcj_challenges", "unknown")
+        help_ = f"use version {made_by} of this package; if the table still differs, ask the organizers"
+        raise SiteError(message, help_, code=TABLE_DIFFERS)
     secret = results.secret
     if secret is None:
         return
