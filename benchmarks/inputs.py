@@ -169,9 +169,7 @@ def _section(name: str, entry: Callable[[int], str], count: int, head: str = _HE
 
 def _rule(number: int) -> str:
     triggers = "{trigger: enters, entity: ball, zone: blue_goal}, {trigger: leaves, entity: robots, zone: pitch}"
-    conditions = (
-        f"{{condition: in_zone, entity: ball, zone: pitch}}, {{condition: speed, entity: ball, at_least: {number}}}"
-    )
+    conditions = f"{{entity: ball, in: pitch}}, {{speed: ball, at_least: {number}}}"
     scores = "{action: score, entrant: blue, points: 1}"
     return f"{{triggers: [{triggers}], conditions: [{conditions}], actions: [{scores}]}}"
 

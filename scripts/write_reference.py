@@ -26,9 +26,9 @@ from rcj_challenges.cli.explain import all_codes
 from rcj_challenges.devices import DEVICES, AnyDevice
 from rcj_challenges.rules.actions import ACTIONS, AnyAction
 from rcj_challenges.rules.base import Vocabulary
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
-from rcj_challenges.rules.conditions.all_of import AllOf
-from rcj_challenges.rules.conditions.any_of import AnyOf
+from rcj_challenges.rules.conditions.vocabulary import Alternative
 from rcj_challenges.rules.facing import Facing, Towards
 from rcj_challenges.rules.fields import Colour, DurationS, EventName, Name, Names, Point
 from rcj_challenges.rules.kick import Kick
@@ -246,10 +246,14 @@ CHAPTERS = (
     Chapter("Triggers", "Moments at which a rule may fire.", _tagged(AnyTrigger), "triggers", "trigger"),
     Chapter(
         "Conditions",
-        "What must hold when a trigger fires; every condition also has `negate`.",
-        _tagged(AnyCondition),
+        "What must hold when a trigger fires. A [value](#values) that is a number, with `at_least`, `at_most`, "
+        "`above`, `below` or `equals`, is a condition; these keys are described under `at_least`. Every condition has "
+        "`negate`.",
+        (
+            *(word for word in _tagged(AnyCondition) if word.model.EXAMPLE),
+            Word("at_least", Compared, own_example=False),
+        ),
         "conditions",
-        "condition",
     ),
     Chapter("Actions", "What a rule does, in order, when it fires.", _tagged(AnyAction), "actions", "action"),
     Chapter(
@@ -295,7 +299,8 @@ def read_examples() -> list[Example]:
     of_words: dict[type, Example] = {}
     for kind, vocabulary in VOCABULARIES.items():
         for word in vocabulary.words():
-            of_words.setdefault(word, Example(kind, (word.name(),), word.EXAMPLE.strip("\n") + "\n"))
+            if word.EXAMPLE:
+                of_words.setdefault(word, Example(kind, (word.name(),), word.EXAMPLE.strip("\n") + "\n"))
     found = list(of_words.values())
     for path in sorted(WORDS.glob("*.yaml")):
         text = path.read_text(encoding="utf-8")
@@ -340,12 +345,18 @@ def page() -> str:
     return "\n".join(lines) + "\n"
 
 
+_PARTS = (NumberValue, Compared)
+"""Whose fields many words have: they are described once."""
+
+
 def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
     rows = []
-    shapes, beside = fields(model), NumberValue.model_fields
+    shapes = fields(model)
     for name, info in model.model_fields.items():
         key = info.alias or name
-        if key == tag or (model is not NumberValue and issubclass(model, NumberValue) and name in beside):
+        if key == tag or any(
+            model is not one and issubclass(model, one) and name in one.model_fields for one in _PARTS
+        ):
             continue
         kind = _type_text(shapes[key]) + _bounds(info, shapes[key])
         rows.append(f"| `{key}` | {kind} | {_default(info)} | {info.description or ''} |")
@@ -364,8 +375,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (At, "[where](#where-things-go)"),
     (Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
     (AnyTrigger, "[trigger](#triggers)"), (AnyCondition, "[condition](#conditions)"),
-    *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
-      for one in (AnyOf, AllOf)),
+    (Alternative, "[condition](#conditions), or list of conditions"),
     (AnyAction, "[action](#actions)"), (AnyDevice, "[device](#devices)"),
     (AnyChassis, "[chassis](#chassis)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),

@@ -63,7 +63,7 @@ def denied_condition_notes(
 def _as_written(condition: Condition) -> str:
     """Return a condition as an author writes it."""
     data = condition.model_dump(mode="json", by_alias=True, exclude_unset=True)
-    data = {"condition": data.pop("condition"), **data}
+    data = {condition.name(): data.pop(condition.name()), **data}
     return str(yaml.safe_dump(data, default_flow_style=True, sort_keys=False, width=inf)).strip()
 
 

@@ -229,21 +229,22 @@ class NameScope:
         middle = middle_of(self.scenario.obstacles[name])
         return lambda: middle
 
-    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+    def targets(self, named: Names | Point) -> tuple[Target, ...]:
         return _targets_of(named, self)
 
     def half_length_s(self) -> Number:
         return self.state.half_length_s()
 
 
-def _targets_of(named: str | Point, scope: NameScope) -> tuple[Target, ...]:
+def _targets_of(named: Names | Point, scope: NameScope) -> tuple[Target, ...]:
     """Return the target of a name, groups expanded, or of a point.
 
     Raises:
         ValueError: it is nothing on the field.
     """
-    if isinstance(named, tuple):
-        return (_standing(lambda: named),)
+    if isinstance(named, tuple) and not isinstance(named[0], str):
+        x_m, y_m = named
+        return (_standing(lambda: (x_m, y_m)),)
     found: list[Target] = []
     for name in scope.members(named):
         among = scope.roster.drawn.get(name)

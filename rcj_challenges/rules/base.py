@@ -239,14 +239,22 @@ class Trigger(Word):
         return False
 
 
-class Condition(Word):
+class KeyedWord(Word):
+    """A word that has a key of its own: its ``KEY`` is its name."""
+
+    @classmethod
+    def name(cls) -> str:
+        """Return the key that the file writes."""
+        return cls.KEY
+
+
+class Condition(KeyedWord):
     """What must hold when a trigger fires.
 
     Attributes:
         ABOUT: the field with the entities whose place it reads; empty: none.
     """
 
-    KEY = "condition"
     ABOUT: ClassVar = ""
 
     negate: bool = described(False, "True: the opposite must hold")
@@ -273,6 +281,11 @@ class Condition(Word):
         """Return the entities whose place it reads, if it names them."""
         names: Names | None = getattr(self, self.ABOUT) if self.ABOUT else None
         return names
+
+    def grouped(self) -> Names | None:
+        """Return the names of which it must hold of so many; None: it names none."""
+        names = getattr(self, "entity" if "entity" in type(self).model_fields else self.KEY)
+        return names if isinstance(names, str | tuple) else None
 
     def is_always(self) -> bool:
         """Return whether it holds at any time."""
@@ -320,15 +333,6 @@ class Action(Word):
     def points_row(self, _phrases: Phrases) -> tuple[str, str] | None:
         """Return entrant and points for the table of points; None: it gives none."""
         return None
-
-
-class KeyedWord(Word):
-    """A word that has a key of its own: its ``KEY`` is its name."""
-
-    @classmethod
-    def name(cls) -> str:
-        """Return the key that the file writes."""
-        return cls.KEY
 
 
 class PlaceWord(KeyedWord):

@@ -93,7 +93,7 @@ class Scope(Protocol):
     def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
         """Return a function that reads the pose [x, y, yaw], of a spot [x, y]; None while it is off the field."""
 
-    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+    def targets(self, named: Names | Point) -> tuple[Target, ...]:
         """Return the target of a distance: what a name stands for, or a point."""
 
     def half_length_s(self) -> Number:

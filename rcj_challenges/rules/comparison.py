@@ -1,41 +1,17 @@
-"""Comparing what is measured or counted with numbers."""
+"""Conditions that compare a value that is a number with other numbers."""
 
 from collections.abc import Callable
 from operator import eq, ge, gt, le, lt
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, cast
 
-from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, ValueWord
-from rcj_challenges.rules.fields import MM_DIGITS, described
+from pydantic import create_model
+
+from rcj_challenges.core.amounts import round_score
+from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, Test, ValueWord
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
-
-
-def to_mm(metres: Number) -> Number:
-    """Return a length rounded to the millimetre, as it would be counted."""
-    return round(metres, MM_DIGITS)
-
-
-def _unchanged(value: Number) -> Number:
-    return value
-
-
-def _test(
-    operate: Callable[[Number, Number], bool],
-    bound: Amount,
-    to: Binder,
-    rounded: Callable[[Number], Number],
-    counted: Callable[[Number], Number],
-) -> Callable[[Number], bool]:
-    """Return a function that compares a number with a bound; with none nothing holds."""
-    if not isinstance(bound, ValueWord):
-        constant = rounded(bound)
-        return lambda value: operate(value, constant)
-    read, firing = compile_amount(bound, to), Firing(to.rule, None, "")
-
-    def test(value: Number) -> bool:
-        limit: Number | None = read(firing)
-        return limit is not None and operate(counted(value), rounded(limit))
-
-    return test
+from rcj_challenges.rules.values.number import NumberValue
 
 
 class _Bound(NamedTuple):
@@ -60,41 +36,91 @@ _BOUNDS = {
 
 
 class Compared(Condition):
-    """A condition with bounds, of which it has one at least."""
+    """A value that is a number, compared with one bound at least.
 
-    EXCLUDES = (
+    Attributes:
+        IS_PART: that the schema defines these fields once for all such conditions.
+        VALUE: the value, whose fields the condition has too.
+    """
+
+    EXCLUDES: ClassVar[tuple[tuple[str, tuple[str, ...]], ...]] = (
         ("equals", ("at_least", "at_most", "above", "below")),
         ("above", ("at_least",)),
         ("below", ("at_most",)),
     )
     REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = tuple((key,) for key in _BOUNDS)
+    IS_PART: ClassVar = True
+    VALUE: ClassVar[type[NumberValue]]
 
     at_least: Amount | None = described(None, "holds at this number and above")
     at_most: Amount | None = described(None, "holds at this number and below")
     above: Amount | None = described(None, "holds above this number, not at it")
     below: Amount | None = described(None, "holds below this number, not at it")
     equals: Amount | None = described(None, "holds at exactly this number")
+    of: Quantifier | None = described(
+        None,
+        "of how many members of a group it must be true, any if omitted; if what is kept per entity is read without "
+        "entity: of how many of all",
+    )
+
+    def grouped(self) -> Names | None:
+        """Return the names of which it must hold of so many; None: it names none."""
+        return getattr(self, self.VALUE.OVER) if self.VALUE.OVER else None
+
+    @property
+    def value(self) -> NumberValue:
+        """The value without the comparison."""
+        keys = {name: info.alias or name for name, info in self.VALUE.model_fields.items()}
+        return self.VALUE.model_construct(**{key: getattr(self, name) for name, key in keys.items()})
 
     def limits(self) -> list[tuple[_Bound, Amount]]:
         """Return with what it compares, and how."""
         return [(bound, limit) for key, bound in _BOUNDS.items() if (limit := getattr(self, key)) is not None]
 
     def compares_with_counter(self) -> bool:
-        """Return whether it compares with a counter, or with those of others."""
+        """Return whether it compares with a value, not with a number."""
         return any(isinstance(limit, ValueWord) for _, limit in self.limits())
 
-    def comparison(
-        self, to: Binder, rounded: Callable[[Number], Number] = _unchanged,
-        counted: Callable[[Number], Number] = _unchanged,
-    ) -> Callable[[Number], bool]:  # fmt: skip
-        """Return a function that compares a number with the bounds, which ``rounded`` rounds.
+    # --- for the referee ----------------------------------------------------------------------------------------------
 
-        ``counted`` is done to a number before it is compared with a value: as it would be counted.
-        """
-        tests = tuple(_test(bound.holds, limit, to, rounded, counted) for bound, limit in self.limits())
+    def test(self, to: Binder) -> Test:
+        """Return the test of the comparison."""
+        holds = self.comparison(to)
+        return self.test_of_each(to, lambda value: _test(value, to, holds))
+
+    def test_of_each(self, to: Binder, test_of: Callable[[NumberValue], Test]) -> Test:
+        """Return the test of one value, or of so many members of a group as are asked for; it passes over none."""
+        value = self.value
+        names = value.named() if self.of is None else value.names(to)
+        if not names:
+            return test_of(value)
+        members, members_now = to.group(names)
+        tests = {member: test_of(value.of_member(member)) for member in members}
+        of = self.of or "any"
+        if of == "any" and len(tests) == 1 and members_now() is members:
+            return next(iter(tests.values()))
+        return lambda: quantified(of, (holds for member in members_now() if (holds := tests[member]()) is not None))
+
+    def comparison(self, to: Binder) -> Callable[[Number], bool]:
+        """Return a function that compares a number with the bounds."""
+        digits = self.VALUE.DIGITS
+        tests = tuple(_comparison(bound.holds, limit, to, digits) for bound, limit in self.limits())
         if len(tests) == 1:
             return tests[0]
         return lambda value: all(test(value) for test in tests)
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        return self.value.places(to)
+
+    # --- for the sheet ------------------------------------------------------------------------------------------------
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the comparison as the part of a sentence that follows ``if``."""
+        number = amount_words(phrases, self.value)
+        if self.negate and (opposite := self.opposite(phrases)):
+            return f"{number} is {opposite}"
+        return f"{number} is {'not ' if self.negate else ''}{self.compared(phrases)}"
 
     def compared(self, phrases: Phrases, unit: str = "", where: str = "") -> str:
         """Return the comparison: ``at least 3 and at most 5``, ``at most 0.5 m from the ball``."""
@@ -115,3 +141,39 @@ class Compared(Condition):
         if more or not bound.opposite or (unit and not isinstance(limit, int | float)):
             return None
         return f"{bound.opposite} {amount_words(phrases, limit)}{unit}"
+
+
+def _test(value: NumberValue, to: Binder, holds: Callable[[Number], bool]) -> Test:
+    """Return the test of one value; None if there is no such number."""
+    read, firing = value.exact(to), Firing(to.rule, None, "")
+
+    def test() -> Any:
+        number: Number | None = read(firing)
+        return None if number is None else holds(number)
+
+    return test
+
+
+def _comparison(
+    operate: Callable[[Number, Number], bool], limit: Amount, to: Binder, digits: int | None
+) -> Callable[[Number], bool]:
+    """Return a function that compares a number with a limit, with a value as it would be counted; with none: never."""
+    if isinstance(limit, int | float):
+        constant = round_score(limit) if digits is None else limit
+        return lambda value: operate(value, constant)
+    read, firing = compile_amount(limit, to), Firing(to.rule, None, "")
+
+    def compare(value: Number) -> bool:
+        other: Number | None = read(firing)
+        return other is not None and operate(value if digits is None else round(value, digits), other)
+
+    return compare
+
+
+def comparison_of(value: type[NumberValue]) -> type[Compared]:
+    """Return the condition that compares a value, with the keys of both."""
+    name, bases = f"{value.__name__.removesuffix('Value')}Is", cast("Any", (Compared, value))
+    doc = f"The value `{value.KEY}`, compared."
+    model = cast("Any", create_model(name, __base__=bases, __module__=__name__, __doc__=doc))
+    model.VALUE, model.EXAMPLE, model.SENTENCE = value, "", ""
+    return cast("type[Compared]", model)

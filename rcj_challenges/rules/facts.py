@@ -8,8 +8,8 @@ from pydantic import Field
 
 from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Name, Names, Point, Strict, Yes, described
-from rcj_challenges.rules.phrasing import degrees, heading, listed, quoted
-from rcj_challenges.rules.refs import FLAG, SEEN, THINGS, ZONES
+from rcj_challenges.rules.phrasing import degrees, heading, listed
+from rcj_challenges.rules.refs import SEEN, THINGS, ZONES
 from rcj_challenges.tracking.contacts import APART_S, substeps_apart
 
 Fact = Callable[[int], bool]
@@ -21,9 +21,12 @@ class Facts(Strict):
 
     Attributes:
         OWNER: the field with the things.
+        OF_ROBOTS: keys that only robots have.
     """
 
     OWNER: ClassVar = ""
+    OF_ROBOTS: ClassVar = ("held", "looks")
+    REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = (("in_",), ("touching",), ("held",), ("looks",))
 
     in_: Annotated[Names | None, ZONES] = Field(
         None, alias="in", description="its centre is in one of these zones; false off the field"
@@ -36,13 +39,12 @@ class Facts(Strict):
         None, "its front points at this thing, spot or point, or in this direction in rad; false off the field"
     )
     within_rad: float = described(0.2, "how far off its front may point, to either side, in rad", gt=0, le=pi)
-    flag: Annotated[Name | None, FLAG] = described(None, "its flag, kept per entity, is set, on the field or off it")
 
     def facts(self, to: Scope) -> tuple[Fact, ...]:
         """Return the tests of the facts that are given."""
         made: tuple[tuple[Any, Callable[[Scope, Any], Fact]], ...] = (
             (self.in_, _in_zone), (self.touching, _touching), (self.held, _held),
-            (self.looks, lambda scope, at: looks_at(scope, at, self.within_rad)), (self.flag, _flagged),
+            (self.looks, lambda scope, at: looks_at(scope, at, self.within_rad)),
         )  # fmt: skip
         return tuple(make(to, what) for what, make in made if what is not None)
 
@@ -57,8 +59,6 @@ class Facts(Strict):
             said.append("held")
         if self.looks is not None:
             said.append(f"looking {direction_words(phrases, self.looks)} (to within {degrees(self.within_rad)})")
-        if self.flag is not None:
-            said.append(f"marked by the flag {quoted(self.flag)}")
         return listed(said, "and")
 
 
@@ -90,11 +90,6 @@ def _touching(to: Scope, names: Names) -> Fact:
 
 def _held(to: Scope, _yes: bool) -> Fact:
     return to.state.held.holds
-
-
-def _flagged(to: Scope, flag: Name) -> Fact:
-    state = to.state
-    return lambda entity: state.flag(flag, to.name_of(entity))
 
 
 def looks_at(to: Scope, looks: Any, within_rad: float) -> Fact:

@@ -5,7 +5,7 @@ annotations again at every start, which is a seventh of the time that ``validate
 """
 
 import copy
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, TypeGuard
 
 from pydantic import (
     AfterValidator,
@@ -128,3 +128,8 @@ Names = Annotated[
     ),
     BuiltOnce(),
 ]
+
+
+def is_named(what: Names | Point) -> TypeGuard[Names]:
+    """Return whether something is given by its name, or by a list of names, and not as a point."""
+    return isinstance(what, str) or isinstance(what[0], str)

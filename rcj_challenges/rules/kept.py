@@ -19,30 +19,26 @@ class _OfKept(Protocol):
 
 
 def test_of_kept(condition: _OfKept, to: Binder, kept: Any, test: Callable[[str | None], bool]) -> Test:
-    """Return the test of something kept per entity: of one, of all as one, or with ``of`` of so many of them.
+    """Return the test of something kept per entity: of one, of all as one, or of so many of them.
 
     ``kept`` is a mapping by entity, or the single one; ``test`` gets None for all as one, and for the single one.
-
-    Raises:
-        ValueError: several entities are named without ``of``; such a scenario is refused when it is loaded.
     """
     entity, of = condition.entity, condition.of
-    if of is not None:
-        keepers = kept if isinstance(kept, dict) else ()
-        members = tuple(keepers) if entity is None else to.members(entity)
-        return lambda: quantified(of, (test(member) for member in members))
-    if isinstance(entity, tuple):
-        message = "several entities need 'of'"
-        raise ValueError(message)  # noqa: TRY004 - refused when the scenario is loaded
-    whose = to.whose(entity)
-    return lambda: test(whose)
+    if of is None and entity is None:
+        return lambda: test(None)
+    keepers = kept if isinstance(kept, dict) else ()
+    members = tuple(keepers) if entity is None else to.members(entity)
+    if of is None and len(members) == 1:
+        return lambda: test(members[0])
+    return lambda: quantified(of or "any", (test(member) for member in members))
 
 
 def asked(phrases: Phrases, condition: _OfKept, kind: str, name: str) -> Subject | None:
     """Return the names of several that have a value each; None where one value is read, or all as one."""
     of, entity = condition.of, condition.entity
     together = of is None and entity is None and kind != "counter" and phrases.owners(kind, name) is not None
-    if (of is None and not together) or entity == "each":
+    is_one = entity is None or (isinstance(entity, str) and not phrases.is_several(entity))
+    if (of is None and is_one and not together) or entity == "each":
         return None
     return phrases.quantified(of or "any", entity or phrases.keepers(kind, name) or (), negate=condition.negate)
 

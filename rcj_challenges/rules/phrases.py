@@ -76,6 +76,9 @@ class Phrases(Protocol):
     def phases(self) -> tuple[str, ...]:
         """Return the names of all phases."""
 
+    def is_several(self, name: str) -> bool:
+        """Return whether a name stands for several things."""
+
     def is_entity(self, name: str) -> bool:
         """Return whether a name stands for an entity, and not for a spot or a draw."""
 

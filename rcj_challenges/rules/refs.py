@@ -127,7 +127,6 @@ KEEPERS = Ref("entity, obstacle, zone or gate", KEEPING, groups=True)
 STEP = Ref("zone or gate", _ZONE | _GATE)
 
 COUNTER = SectionRef("counter", ("counters",))
-READABLE = SectionRef("counter or entrant", ("counters", "entrants"))
 FLAG = SectionRef("flag", ("flags",))
 TIMER = SectionRef("timer", ("timers",))
 DRAW = SectionRef("draw", ("draws",))

@@ -189,14 +189,14 @@ class SchemaWriter:
 
         Those with keys in common are one: what stands under these keys is looked at once, and not once for each.
         """
-        alike: dict[type[BaseModel], list[_Json]] = {}
+        alike: dict[tuple[type[BaseModel], ...], list[_Json]] = {}
         options: list[_Json] = []
         for member in members(shape):
-            option, part = self._plain(member, partial=partial), _part_of(bare(member).kind)
-            (options if part is None else alike.setdefault(part, [])).append(option)
-        for part, words in alike.items():
-            parts = [self._reference(part, partial=False), {"anyOf": words}]
-            options.append({"type": "object", "allOf": parts, "unevaluatedProperties": False})
+            option, parts = self._plain(member, partial=partial), _parts_of(bare(member).kind)
+            (alike.setdefault(parts, []) if parts else options).append(option)
+        for parts, words in alike.items():
+            common = [self._reference(part, partial=False) for part in parts]
+            options.append({"type": "object", "allOf": [*common, {"anyOf": words}], "unevaluatedProperties": False})
         return options
 
     def _array(self, arguments: tuple[Any, ...]) -> _Json:
@@ -214,23 +214,23 @@ class SchemaWriter:
         is_partial = model in self.partial_models
         if name not in self.definitions:
             self.definitions[name] = {}  # claimed first, so that a model may contain itself
-            part = _part_of(model)
-            shared = () if part is None else fields(part)
+            parts = _parts_of(model)
+            shared = {key for part in parts for key in fields(part)}
             properties = self.properties(model, partial=is_partial)
             self.definitions[name] = {
                 "type": "object",
                 "description": sentence_of(model),
                 "properties": {key: one for key, one in properties.items() if key not in shared},
                 **({} if is_partial else demand),
-                **({"additionalProperties": False} if part is None and "IS_PART" not in vars(model) else {}),
+                **({"additionalProperties": False} if not parts and "IS_PART" not in vars(model) else {}),
             }
         return {"$ref": f"#/$defs/{name}", **(demand if is_partial and not partial else {})}
 
 
-def _part_of(model: Any) -> type[BaseModel] | None:
-    """Return the class whose fields a model has in common with others of its kind; None: it has none."""
+def _parts_of(model: Any) -> tuple[type[BaseModel], ...]:
+    """Return the classes whose fields a model has in common with others of its kind."""
     above = model.__mro__[1:] if is_model(model) else ()
-    return next((one for one in above if "IS_PART" in vars(one)), None)
+    return tuple(one for one in above if "IS_PART" in vars(one))
 
 
 def _or_param(plain: _Json) -> _Json:

@@ -12,6 +12,7 @@ from typing import Any
 
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, InFile
+from rcj_challenges.rules.conditions import CONDITIONS
 from rcj_challenges.scenario.codes import SCENARIO_TOO_LARGE
 from rcj_challenges.scenario.errors import ScenarioError, cut
 
@@ -208,7 +209,8 @@ def file_of(root: Entries, section: str, name: str) -> str:
     return entries.key_marks[name].file if isinstance(entries, Entries) and name in entries.key_marks else ""
 
 
-_KINDS = {"triggers": "trigger", "conditions": "condition", "actions": "action"}
+_KINDS = {"triggers": "trigger", "actions": "action"}
+_LISTS = (*_KINDS, "conditions", "any_of")
 
 
 def in_names(root: Node, path: Sequence[Step]) -> str:
@@ -219,14 +221,20 @@ def in_names(root: Node, path: Sequence[Step]) -> str:
             text += f".{cut(step)}" if text else cut(step)
             continue
         text += f"[{step}]"
-        word = _KINDS.get(str(path[depth - 1])) if depth else None
-        kind = child(deepest(root, path[: depth + 1])[0], word) if word else None
-        if isinstance(kind, Leaf) and isinstance(kind.value, str):
-            text += f" ({cut(kind.value)})"
+        word = _word_at(deepest(root, path[: depth + 1])[0], str(path[depth - 1]) if depth else "")
+        text += f" ({cut(word)})" if word else ""
     return text
+
+
+def _word_at(node: Node, listed: str) -> str:
+    """Return the word of an entry of a list of triggers, conditions or actions; empty: it has none."""
+    if listed in ("conditions", "any_of"):
+        return CONDITIONS.tag_of(plain(node)) or ""
+    kind = child(node, _KINDS.get(listed, ""))
+    return kind.value if isinstance(kind, Leaf) and isinstance(kind.value, str) else ""
 
 
 def format_path(root: Node, path: Path) -> str:
     """Return a path in names that ends, within a rule, at the trigger, condition or action."""
-    words = [i for i in range(1, len(path)) if isinstance(path[i], int) and path[i - 1] in _KINDS]
+    words = [i for i in range(1, len(path)) if isinstance(path[i], int) and path[i - 1] in _LISTS]
     return in_names(root, path[: words[-1] + 1] if words and path[0] == "rules" else path)

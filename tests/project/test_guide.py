@@ -35,7 +35,7 @@ rules:
     actions: [{action: emit, event: COOKED}]
   held:
     phases: any
-    triggers: [{trigger: holds, condition: {condition: in_zone, entity: ball, zone: pitch}, for_s: 6}]
+    triggers: [{trigger: holds, conditions: [{entity: ball, in: pitch}], for_s: 6}]
     actions: [{action: emit, event: HELD}]
   lazy:
     phases: any

@@ -190,7 +190,7 @@ class TestWhereverARuleHasANumber:
         assert play.referee.counters["ran_s"] == 3.2
 
     def test_a_condition_compares_with_it(self, stage):
-        near = "{condition: distance, entity: Y1, to: ball, at_most: {distance: [Y2, ball], plus: %s}}"
+        near = "{distance: [Y1, ball], at_most: {distance: [Y2, ball], plus: %s}}"
         told = once(10, "{action: emit, event: TOLD}", more=f"conditions: [{near}],")
         for plus, names in ((0.01, ["TOLD"]), (-0.01, [])):
             play = stage(SECOND, told % plus)

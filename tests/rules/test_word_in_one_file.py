@@ -56,7 +56,7 @@ def test_registered_word_is_explained_on_the_sheet(toys, kind, sentence):
     ("kind", "fields"),
     [
         ("trigger", ["trigger", "entity", "distance_m"]),
-        ("condition", ["condition", "entity", "x_m"]),
+        ("condition", ["right_of", "whom"]),
         ("action", ["action", "counter"]),
         ("place", ["on_circle", "radius_m"]),
         ("value", ["y_of"]),
@@ -70,7 +70,7 @@ def test_registered_word_is_in_the_schema(toys, kind, fields):
     ("kind", "row", "example"),
     [
         ("trigger", "| `distance_m` | number, above 0 |", "trigger: strays"),
-        ("condition", "| `x_m` | number |", "condition: right_of"),
+        ("condition", "| `right_of` | number |", "right_of: 0.05"),
         ("action", "| `counter` | name |", "action: double"),
         ("place", "| `radius_m` | number, above 0 |", "on_circle: middle_yellow"),
         ("value", "| `y_of` | name |", "y_of: ball"),

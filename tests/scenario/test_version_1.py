@@ -7,6 +7,7 @@ from rcj_challenges.scenario.load import load_resolved, load_text
 
 HEAD = "schema_version: %d\nid: it\ntitle: It\nextends: soccersim_v2\n"
 KEPT = "counters: {n: {}, laps: {per: robots}}\nflags: {seen: {per: robots}}\ntimers: {clock: {lasts_s: 9, starts: true}}\n"
+BOTH = "{condition: flag, flag: f}, {condition: half, equals: 1}"
 RULE = "rules: {r: {%striggers: [{trigger: half_started}], conditions: [%s], actions: [%s]}}\n"
 
 
@@ -54,9 +55,9 @@ def test_in_a_sum_of_a_rule_for_each_what_is_kept_for_several_was_that_of_all():
     ("group", "entity"), [("for_each: robots, ", ", entity: others"), ("for_each: yellow, ", ""), ("", "")]
 )
 def test_the_lowest_of_others(group, entity):
-    compared = "{condition: counter, counter: n, at_most: %s}"
-    first = scenario(1, points("1"), compared % "{lowest: laps}", group)
-    assert first == scenario(2, points("1"), compared % f"{{lowest: {{counter: laps{entity}}}}}", group)
+    first = scenario(1, points("1"), "{condition: counter, counter: n, at_most: {lowest: laps}}", group)
+    compared = f"{{counter: n, at_most: {{lowest: {{counter: laps{entity}}}}}}}"
+    assert first == scenario(2, points("1"), compared, group)
 
 
 def test_a_record_is_read_like_a_file():
@@ -69,3 +70,56 @@ def test_a_file_of_version_2_is_not_changed():
     with pytest.raises(ScenarioError) as caught:
         scenario(2, points("[2, {counter: n, weight: -2}]"))
     assert [one.code for one in caught.value.diagnostics] == ["wrong-value"]
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("{condition: in_zone, entity: ball, zone: blue_goal}", "{entity: ball, in: blue_goal}"),
+        ("{condition: held, entity: blue, of: all}", "{entity: blue, held: true, of: all}"),
+        ("{condition: looks, entity: B1, towards: ball}", "{entity: B1, looks: ball}"),
+        ("{condition: looks, entity: B1, heading_rad: 1.5}", "{entity: B1, looks: 1.5}"),
+        ("{condition: distance, entity: blue, to: [0, 0], at_most: 1}", "{distance: [blue, [0, 0]], at_most: 1}"),
+        ("{condition: speed, entity: ball, at_most: 1}", "{speed: ball, at_most: 1}"),
+        ("{condition: way, entity: ball, at_least: 1}", "{way: ball, at_least: 1}"),
+        ("{condition: counter, counter: n, equals: 1}", "{counter: n, equals: 1}"),
+        ("{condition: counter, counter: blue, equals: {counter: yellow}}", "{score: blue, equals: {score: yellow}}"),
+        ("{condition: flag, flag: seen, entity: B1}", "{flag: seen, entity: B1}"),
+        ("{condition: timer, timer: clock, negate: true}", "{timer: clock, negate: true}"),
+        ("{condition: half, at_least: 2}", "{word: halftime, at_least: 2}"),
+        ("{condition: drawn, draw: d, equals: a}", "{draw: d, equals: a}"),
+        ("{condition: last_touch, by: blue}", "{last_touch: ball, equals: blue}"),
+        ("{condition: told, entity: B1, text: HI}", "{told: B1, text: HI}"),
+        ("{condition: sequence_at, sequence: s, step: blue_goal}", "{sequence: s, equals: blue_goal}"),
+        ("{condition: spot_free, spot: centre}", "{spot_free: centre}"),
+        (
+            f"{{condition: any_of, conditions: [{{condition: held, entity: B1}}, {{condition: all_of, conditions: [{BOTH}]}}]}}",
+            "{any_of: [{entity: B1, held: true}, [{flag: f}, {word: halftime, equals: 1}]]}",
+        ),
+        (
+            f"{{condition: all_of, conditions: [{BOTH}], negate: true}}",
+            "{any_of: [[{flag: f}, {word: halftime, equals: 1}]], negate: true}",
+        ),
+        (
+            f"{{condition: all_of, conditions: [{BOTH}]}}",
+            "{flag: f}, {word: halftime, equals: 1}",
+        ),
+    ],
+)
+def test_conditions(first, second):
+    more = "draws: {d: {values: [a, b]}}\nsequences: {s: {entity: ball, steps: [blue_goal, yellow_goal]}}\n"
+    kept = KEPT.replace("flags: {", "flags: {f: {}, ") + more
+
+    def rules(version: int, condition: str, waited_for: str):
+        rule = (
+            f"{{triggers: [{{trigger: holds, {waited_for}}}], conditions: [{condition}], actions: [{{action: end}}]}}"
+        )
+        return load_text(f"{HEAD % version}{kept}rules: {{r: {rule}}}\n").scenario
+
+    assert rules(1, first, f"condition: {first}") == rules(2, second, f"conditions: [{second}]")
+
+
+def test_that_a_robot_is_held_was_a_value_of_its_own():
+    emit = "{action: emit, event: E, payload: {a: %s, b: %s}}"
+    first = scenario(1, emit % ("{held: B1}", "{word: score, of: blue}"))
+    assert first == scenario(2, emit % ("{entity: B1, held: true}", "{score: blue}"))

@@ -19,7 +19,10 @@ from pydantic import BaseModel, ValidationError
 
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.base import Vocabulary
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.facts import Facts
 from rcj_challenges.rules.phrasing import degrees, number, seconds
+from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
 from rcj_challenges.scenario.models import scenario as models
@@ -47,7 +50,7 @@ _NEEDS_NO_TELLING = {
     "Robot.number": "what stands on its lid in pictures",
     "Rule.priority": "the rules stand in the order in which they are judged",
     "Scenario.params": "the value stands wherever the param is used",
-    "Told.is_a": "a number or a position is asked for by its text as well",
+    "ToldIs.is_a": "a number or a position is asked for by its text as well",
 }
 """Fields that may change without a word on the sheet, and why."""
 
@@ -84,26 +87,26 @@ rules:
   judged:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     conditions:
-      - {condition: counter, counter: laps, entity: blue, of: any, equals: 5}
-      - {condition: timer, timer: watch, entity: blue, of: any, equals: 5}
-      - {condition: way, entity: blue, at_least: 0.5}
-      - {condition: way, entity: blue, equals: 0.5}
-      - {condition: speed, entity: blue, equals: 0.1}
-      - {condition: distance, entity: blue, to: [0.2, 0.3], equals: 0.4}
-      - {condition: counter, counter: laps, entity: blue, of: {at_most: 1}, above: 5, below: 7}
-      - {condition: timer, timer: watch, entity: blue, of: {equals: 1}, above: 5, below: 7}
-      - {condition: way, entity: blue, above: 0.5, below: 0.7}
-      - {condition: speed, entity: blue, above: 0.1, below: 0.2}
-      - {condition: distance, entity: blue, to: [0.2, 0.3], above: 0.4, below: 0.5}
-      - {condition: looks, entity: blue, heading_rad: 0.5}
-      - {condition: looks, entity: blue, towards: [0.2, 0.3]}
-      - {condition: in_zone, entity: blue, zone: west}
-      - {condition: held, entity: blue}
-      - {condition: all_of, conditions: [{condition: held, entity: B1}], negate: true}
-      - {condition: sequence_at, sequence: way, entity: blue, of: any, step: west}
-      - {condition: spot_free, spot: neutral_spots}
-      - {condition: told, entity: blue, text: 7}
-      - {condition: drawn, draw: tile, equals: 2}
+      - {counter: laps, entity: blue, of: any, equals: 5}
+      - {timer: watch, entity: blue, of: any, equals: 5}
+      - {way: blue, at_least: 0.5}
+      - {way: blue, equals: 0.5}
+      - {speed: blue, equals: 0.1}
+      - {distance: [blue, [0.2, 0.3]], equals: 0.4}
+      - {counter: laps, entity: robots, of: {at_most: 5}, above: 5, below: 7}
+      - {timer: watch, entity: robots, of: {equals: 5}, above: 5, below: 7}
+      - {way: blue, above: 0.5, below: 0.7}
+      - {speed: blue, above: 0.1, below: 0.2}
+      - {distance: [blue, [0.2, 0.3]], above: 0.4, below: 0.5}
+      - {entity: blue, looks: 0.5}
+      - {entity: blue, looks: [0.2, 0.3]}
+      - {entity: blue, in: west}
+      - {entity: blue, held: true}
+      - {any_of: [{entity: B1, held: true}], negate: true}
+      - {sequence: way, entity: blue, equals: west, of: any}
+      - {spot_free: neutral_spots}
+      - {told: blue, text: 7}
+      - {draw: tile, equals: 2}
     actions:
       - {action: hold, entity: Y1}
       - {action: release, entity: Y1}
@@ -143,6 +146,13 @@ def _parts(annotation: Any) -> Iterator[Any]:
         yield annotation
 
 
+def _owner(model: type[BaseModel], name: str) -> str:
+    """Return the name of the model that a field is of: of one that many words have, that of the class they share."""
+    shared = (part for part in (Compared, NumberValue, Facts) if issubclass(model, part) and name in part.model_fields)
+    own = model.VALUE if issubclass(model, Compared) and name in model.VALUE.model_fields else model
+    return next(shared, own).__name__
+
+
 def _fields(model: type[BaseModel], seen: set[type[BaseModel]]) -> Iterator[str]:
     """Yield the fields below a model that are numbers, choices or yes or no: ``Ball.radius_m``."""
     if model in seen or model in _OF_TESTS:
@@ -154,7 +164,7 @@ def _fields(model: type[BaseModel], seen: set[type[BaseModel]]) -> Iterator[str]
         if not field.exclude and (
             any(part in (int, float, bool) for part in parts) or any(len(c) > 1 for c in choices)
         ):
-            yield f"{model.__name__}.{field.alias or name}"
+            yield f"{_owner(model, name)}.{field.alias or name}"
         for part in parts:
             if isinstance(part, type) and issubclass(part, BaseModel):
                 yield from _fields(part, seen)
@@ -191,7 +201,7 @@ def _below(scenario: int, node: Any, path: tuple[str | int, ...], field: str = "
         for name, info in type(node).model_fields.items():
             key = info.alias or name
             inner = getattr(node, name)
-            yield from _below(scenario, inner, (*path, key), f"{type(node).__name__}.{key}", info.annotation)
+            yield from _below(scenario, inner, (*path, key), f"{_owner(type(node), name)}.{key}", info.annotation)
     elif isinstance(node, dict):
         for key, inner in node.items():
             yield from _below(scenario, inner, (*path, key), field, shape)

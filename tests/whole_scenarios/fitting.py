@@ -16,21 +16,26 @@ from rcj_challenges.rules.actions.sequence import SequenceAction
 from rcj_challenges.rules.actions.set_flag import SetFlag
 from rcj_challenges.rules.actions.timer import TimerAction
 from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
+from rcj_challenges.rules.conditions import CONDITIONS
 from rcj_challenges.rules.conditions.counter import CounterIs
-from rcj_challenges.rules.conditions.distance import Distance
-from rcj_challenges.rules.conditions.drawn import Drawn
+from rcj_challenges.rules.conditions.distance import DistanceIs
+from rcj_challenges.rules.conditions.draw import DrawIs
+from rcj_challenges.rules.conditions.entity import FactIs
 from rcj_challenges.rules.conditions.flag import FlagIs
-from rcj_challenges.rules.conditions.half import HalfIs
-from rcj_challenges.rules.conditions.looks import Looks
-from rcj_challenges.rules.conditions.sequence_at import SequenceAt
-from rcj_challenges.rules.conditions.speed import Speed
+from rcj_challenges.rules.conditions.score import ScoreIs
+from rcj_challenges.rules.conditions.sequence import SequenceIs
+from rcj_challenges.rules.conditions.speed import SpeedIs
 from rcj_challenges.rules.conditions.timer import TimerIs
+from rcj_challenges.rules.conditions.told import ToldIs
 from rcj_challenges.rules.conditions.way import WayIs
+from rcj_challenges.rules.conditions.word import WordIs
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
+from rcj_challenges.rules.values import FOLDS
 from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
+from rcj_challenges.rules.values.entity import FactValue
 from rcj_challenges.rules.values.flag import FlagValue
 from rcj_challenges.rules.values.highest import HighestValue
 from rcj_challenges.rules.values.lowest import LowestValue
@@ -66,6 +71,9 @@ def sentence(maker: Maker) -> str:
     return " ".join(words)
 
 
+_BOUNDS = ("at_least", "at_most", "above", "below", "equals")
+
+
 def _kept_each(key: str) -> Callable[[Maker, Data], None]:
     def fit(maker: Maker, data: Data) -> None:
         per = maker.stage.kept.get((key, data[key]))
@@ -83,7 +91,7 @@ def _kept_each(key: str) -> Callable[[Maker, Data], None]:
 
 
 def _compared(maker: Maker, data: Data) -> None:
-    given = [key for key in ("at_least", "at_most", "above", "below", "equals") if key in data]
+    given = [key for key in _BOUNDS if key in data]
     for key in given[1:]:
         del data[key]
     if not given:
@@ -100,16 +108,27 @@ def _both(*fits: Callable[[Maker, Data], None]) -> Callable[[Maker, Data], None]
     return fit
 
 
-def _timer_is(maker: Maker, data: Data) -> None:
-    given = [key for key in ("at_least", "at_most", "above", "below", "equals") if key in data]
+def _one_bound(maker: Maker, data: Data) -> None:
+    given = [key for key in _BOUNDS if key in data]
     for key in given[1:]:
         del data[key]
 
 
-def _half_is(maker: Maker, data: Data) -> None:
-    for key in ("at_least", "at_most", "equals"):
-        data.pop(key, None)
-    data[maker.chance.choice(("at_least", "at_most", "equals"))] = maker.chance.choice((1, 1, 2))
+def _of_one(_maker: Maker, data: Data) -> None:
+    data.pop("of", None)
+
+
+def _told_is(maker: Maker, data: Data) -> None:
+    _one_bound(maker, data)
+    if any(key in data for key in _BOUNDS):
+        data.pop("text", None)
+
+
+def _fact_is(maker: Maker, data: Data) -> None:
+    if not any(key in data for key in ("in", "touching", "held", "looks")):
+        data["held"] = True
+    if isinstance(data.get("of"), dict):
+        data["of"] = {"at_least": 1}
 
 
 def _place(maker: Maker, data: Data) -> None:
@@ -148,13 +167,6 @@ def _count(maker: Maker, data: Data) -> None:
             data.pop(key, None)
 
 
-def _looks(maker: Maker, data: Data) -> None:
-    if "towards" in data:
-        data.pop("heading_rad", None)
-    else:
-        data["heading_rad"] = 0.5
-
-
 def _drawn(key: str) -> Callable[[Maker, Data], None]:
     def fit(maker: Maker, data: Data) -> None:
         if key in data:
@@ -168,7 +180,7 @@ def _drawn(key: str) -> Callable[[Maker, Data], None]:
 
 
 def _sequence_at(maker: Maker, data: Data) -> None:
-    data["step"] = maker.chance.choice(maker.stage.steps[data["sequence"]])
+    data["equals"] = maker.chance.choice(maker.stage.steps[data["sequence"]])
 
 
 def _event(maker: Maker, data: Data) -> None:
@@ -221,15 +233,20 @@ def _one_for_each(maker: Maker, section: Data) -> None:
             section[key][name] = {maker.chance.choice(owners): value} if owners else value
 
 
+_FOLDED = [one for one in CONDITIONS.words() if one.name() in FOLDS]
+
 FIT: dict[type, Callable[[Maker, Data], None]] = {
-    **dict.fromkeys((Speed, Distance, WayIs), _compared),
+    **dict.fromkeys((SpeedIs, DistanceIs, WayIs), _compared),
+    ScoreIs: _both(_of_one, _compared),
+    **{one: _both(_folded(one.KEY), _of_one, _compared) for one in _FOLDED},
     CounterIs: _both(_kept_each("counter"), _compared),
     FlagIs: _kept_each("flag"),
-    TimerIs: _both(_kept_each("timer"), _timer_is),
-    HalfIs: _half_is,
-    Looks: _looks,
-    Drawn: _drawn("equals"),
-    SequenceAt: _both(_kept_each("sequence"), _sequence_at),
+    TimerIs: _both(_kept_each("timer"), _one_bound),
+    ToldIs: _told_is,
+    WordIs: _both(_word, _of_one, _compared),
+    FactIs: _fact_is,
+    DrawIs: _drawn("equals"),
+    SequenceIs: _both(_kept_each("sequence"), _sequence_at),
     Place: _place,
     places.Placing: _kick,
     Score: _bounded,
@@ -248,5 +265,7 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     **dict.fromkeys((WordValue, NumberWord), _word),
     **{model: _folded(model.KEY) for model in (HighestValue, LowestValue, SumValue)},
     CountValue: _counted,
+    next(one for one in CONDITIONS.words() if one.name() == "count"): _both(_counted, _of_one, _compared),
+    FactValue: _fact_is,
     scenario.Expectation: _expected,
 }

@@ -14,7 +14,6 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.conditions.all_of import AllOf
 from rcj_challenges.rules.conditions.any_of import AnyOf
 from rcj_challenges.rules.kick import DrawnSpeed
 from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
@@ -39,7 +38,7 @@ class ImpossibleError(Exception):
 
 
 def _is_deep(kind: Any) -> bool:
-    return isinstance(kind, type) and issubclass(kind, AnyOf | AllOf | NumberValue)
+    return isinstance(kind, type) and issubclass(kind, AnyOf | NumberValue)
 
 
 class Maker:

@@ -4,15 +4,22 @@ from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.core.messages import position_in
-from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases, Word
 from rcj_challenges.rules.effects import SetsSpot
 from rcj_challenges.rules.fields import Name, Point, described
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.rules.places.point import AtPoint
 from rcj_challenges.rules.places.uniform_in import UniformIn
-from rcj_challenges.rules.refs import FIXED, MOVING, WRITTEN_SPOT, Ref
-from rcj_challenges.rules.values.reported import ReportedValue
+from rcj_challenges.rules.refs import FIXED, MOVING, ROBOT, WRITTEN_SPOT, Ref
+
+
+class SentPlace(Word):
+    """The position that a robot has sent to the referee last."""
+
+    told: Annotated[Name, ROBOT] = described(..., "a robot, or each")
+
+    READS_MESSAGES = True
 
 
 class SetSpot(Action):
@@ -25,7 +32,7 @@ class SetSpot(Action):
     action: Literal["set_spot"]
     spot: Annotated[Name, WRITTEN_SPOT] = described(..., "the spot")
     to: Annotated[
-        Name | Point | ReportedValue | UniformIn | OnLine,
+        Name | Point | SentPlace | UniformIn | OnLine,
         Ref(
             "entity, obstacle, spot or zone",
             MOVING | FIXED | frozenset({"spot"}) | frozenset({"zone"}),
@@ -54,7 +61,7 @@ rules:
     says: Y1 plays the ball.
   received:
     triggers: [{trigger: touches, entity: Y2, other: ball}]
-    conditions: [{condition: distance, entity: ball, to: kicked_from, at_least: {counter: longest_pass_m}}]
+    conditions: [{distance: [ball, kicked_from], at_least: {counter: longest_pass_m}}]
     actions: [{action: count, counter: longest_pass_m, to: {distance: [ball, kicked_from]}}]
 expect:
   the_longer_of_two_passes_counts:
@@ -99,7 +106,7 @@ expect:
     def _where(self, to: Binder) -> Callable[[], Point | None]:
         """Return a function that finds the place that the spot is set to; None if there is none at present."""
         match self.to:
-            case ReportedValue():
+            case SentPlace():
                 messages, robot = to.state.messages, to.members(self.to.told)[0]
                 return lambda: position_in(messages.get(robot, ""))
             case UniformIn() | OnLine():
@@ -110,10 +117,10 @@ expect:
 
     def effects(self) -> tuple[SetsSpot]:
         at = AtPoint(point=self.to) if isinstance(self.to, tuple) else self.to
-        return (SetsSpot(self.spot, None if isinstance(at, ReportedValue) else at, self.mirror),)
+        return (SetsSpot(self.spot, None if isinstance(at, SentPlace) else at, self.mirror),)
 
     def describe(self, phrases: Phrases) -> str:
-        if isinstance(self.to, ReportedValue):
+        if isinstance(self.to, SentPlace):
             where = f"the position that {phrases.thing(self.to.told)} has told the referee"
         elif isinstance(self.to, str):
             where = phrases.owned("centre" if phrases.may_be_zone(self.to) else "place", self.to)

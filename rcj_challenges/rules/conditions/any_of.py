@@ -1,34 +1,27 @@
 """The condition ``any_of``."""
 
-from typing import Annotated, Literal
-
 from pydantic import Field
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
-from rcj_challenges.rules.conditions.several import all_hold, one_holds, opposites, watched_by
-from rcj_challenges.rules.conditions.vocabulary import CONDITIONS
+from rcj_challenges.rules.conditions.several import all_hold, as_one, one_holds, opposites, watched_by
+from rcj_challenges.rules.conditions.vocabulary import Alternative
 
 
 class AnyOf(Condition):
-    """Whether at least one of several conditions holds."""
+    """Whether at least one of several conditions holds; a list among them holds if all in it hold."""
 
-    condition: Literal["any_of"]
-    conditions: tuple[Annotated[Condition, CONDITIONS.without("any_of")], ...] = Field(
-        ...,
-        strict=False,
-        min_length=1,
-        description="the conditions, each as in a rule; all_of may be one of them, but not any_of itself",
+    any_of: tuple[Alternative, ...] = Field(
+        ..., strict=False, min_length=1, description="conditions, each as in a rule, and lists of conditions"
     )
 
+    KEY = "any_of"
     EXAMPLE = """
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     conditions:
-      - condition: any_of
-        conditions:
-          - {condition: speed, entity: ball, at_least: 0.3}
-          - {condition: last_touch, entity: ball, by: Y3}
+      # Beside a condition, a list of conditions may stand, of which all must hold.
+      - any_of: [{speed: ball, at_least: 0.3}, {last_touch: ball, equals: Y3}]
     actions: [{action: score, entrant: yellow}]
 expect:
   a_slow_goal_by_y3_counts_but_not_one_by_y1:
@@ -42,18 +35,23 @@ expect:
 """
     SENTENCE = "either the ball moves at a speed of at least 0.3 m/s or the last to touch the ball was Y3"
 
+    @property
+    def alternatives(self) -> tuple[Condition, ...]:
+        """The conditions of which one must hold."""
+        return tuple(as_one(one) for one in self.any_of)
+
     def is_several(self) -> bool:
-        return len(self.conditions) > 1
+        return len(self.any_of) > 1 or self.alternatives[0].is_several()
 
     def test(self, to: Binder) -> Test:
-        tests = tuple(condition.compile(to) for condition in self.conditions)
+        tests = tuple(condition.compile(to) for condition in self.alternatives)
         return lambda: any(test() for test in tests)
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        return watched_by(to, self.conditions)
+        return watched_by(to, self.alternatives)
 
     def describe(self, phrases: Phrases) -> str:
-        parts = self.conditions
+        parts = self.alternatives
         if self.negate and (len(parts) == 1 or any(_is_negative(one) or one.is_several() for one in parts)):
             # None of them holds: of each the opposite does.
             return all_hold(phrases, opposites(parts))

@@ -1,34 +1,17 @@
-"""The condition ``counter``."""
+"""What is particular to the condition ``counter``."""
 
-from typing import Annotated, Literal
-
-from rcj_challenges.core.amounts import round_score
-from rcj_challenges.rules.base import Binder, Phrases, Test
+from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.comparison import Compared
-from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.kept import asked, kept, test_of_kept
-from rcj_challenges.rules.phrasing import plain, quoted_measure
-from rcj_challenges.rules.quantifier import Quantifier
-from rcj_challenges.rules.refs import READABLE, WHOSE_OF
+from rcj_challenges.rules.kept import asked, kept
+from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.values import amount_words
 from rcj_challenges.rules.values.counter import CounterValue
 
 
-class CounterIs(Compared):
-    """The value of a counter, or of an entrant's score."""
+class CounterIs(Compared, CounterValue):
+    """The value of a counter."""
 
-    condition: Literal["counter"]
-    counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
-    entity: Annotated[Names | None, WHOSE_OF] = described(
-        None,
-        "for a counter kept per entity: which entity; each: the current member; if omitted and "
-        "there is no for_each: the sum; "
-        "with `of` also a group or a list",
-    )
-    of: Quantifier | None = described(
-        None, "how many members of a group must satisfy it; without entity: of all members"
-    )
-
+    VALUE = CounterValue
     EXAMPLE = """
 counters: {visits: {per: robots}}
 zones: {light: {shape: circle, centre_m: [0, 0], radius_m: 0.2}}
@@ -43,7 +26,7 @@ rules:
     triggers: [{trigger: timer_expired, timer: round}]
     # Compared with all other robots that are still on the field. If several tie for last, all are out.
     conditions:
-      - {condition: counter, counter: visits, entity: each, at_most: {lowest: {counter: visits, entity: others}}}
+      - {counter: visits, entity: each, at_most: {lowest: {counter: visits, entity: others}}}
     actions: [{action: remove, entity: each}, {action: emit, event: OUT, payload: {robot_name: {word: robot_name}}}]
 expect:
   the_robot_with_the_fewest_visits_is_out:
@@ -57,12 +40,9 @@ expect:
 """
     SENTENCE = "its counter “visits” is at most the lowest counter “visits” of all others on the field"
 
-    def test(self, to: Binder) -> Test:
-        state, name = to.state, self.counter
-        holds = self.comparison(to, rounded=round_score)
-        return test_of_kept(self, to, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
-
     def describe(self, phrases: Phrases) -> str:
+        if self.value.is_computed():
+            return super().describe(phrases)
         if isinstance(self.equals, CounterValue):
             return self._equal(phrases, self.equals)
         subject = asked(phrases, self, "counter", self.counter)
@@ -75,9 +55,6 @@ expect:
 
     def _equal(self, phrases: Phrases, equals: CounterValue) -> str:
         """Return whether a counter is what another one is."""
-        if phrases.is_entrant(self.counter) and phrases.is_entrant(equals.counter):
-            scores = f"the scores of {plain(self.counter)} and {plain(equals.counter)}"
-            return f"{scores} {'differ' if self.negate else 'are equal'}"
         subject, other = asked(phrases, self, "counter", self.counter), amount_words(phrases, equals)
         if subject is not None:
             return f"{subject.does('has', 'have')} a counter {quoted_measure(self.counter)} equal to {other}"

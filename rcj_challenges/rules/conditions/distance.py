@@ -1,39 +1,15 @@
-"""The condition ``distance``."""
+"""What is particular to the condition ``distance``."""
 
-from collections.abc import Iterable
-from typing import Annotated, Literal
-
-from rcj_challenges.rules.base import Binder, Phrases, Test
-from rcj_challenges.rules.comparison import Compared, to_mm
-from rcj_challenges.rules.conditions.anchors import anchors
-from rcj_challenges.rules.fields import Name, Names, Point, described
-from rcj_challenges.rules.quantifier import Quantifier, quantified
-from rcj_challenges.rules.refs import MEASURED_TO, MOVING, Ref
+from rcj_challenges.rules.base import Phrases
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.fields import Name, Names, Point, is_named
+from rcj_challenges.rules.values.distance import DistanceValue
 
 
-class Distance(Compared):
-    """The distance in m of an entity's centre from another thing, a place or a point; it never holds off the field."""
+class DistanceIs(Compared, DistanceValue):
+    """The distance in m between two things; it never holds while one is off the field."""
 
-    condition: Literal["distance"]
-    entity: Annotated[
-        Names,
-        Ref(
-            "entity",
-            MOVING,
-            groups=True,
-            each=True,
-            instead="name the obstacle in 'to', and in 'entity' the robot or ball that comes near it",
-        ),
-    ] = described(..., "an entity, each, or a group with `of`")
-    to: Annotated[Name | Point, MEASURED_TO] = described(
-        ...,
-        "an entity, a fixed obstacle (its centre, or a wall's centre line), each, a spot, a gate or zone (its "
-        "nearest point; inside a zone the distance is 0), a draw's name, a group (the nearest member), or [x, "
-        "y] in m",
-    )
-    of: Quantifier = described("any", "how many members of a group must satisfy it")
-
-    ABOUT = "entity"
+    VALUE = DistanceValue
     ASKS_WHERE = True
     EXAMPLE = """
 gates: {line: {from_m: [-0.3, 0.3], to_m: [0.3, 0.3]}}
@@ -41,13 +17,13 @@ zones: {edge: {shape: rect, x_min_m: -0.5, x_max_m: 0.5, inverted: true}}
 rules:
   open_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{condition: distance, entity: blue, to: ball, at_least: 0.3, of: all}]
+    conditions: [{distance: [blue, ball], at_least: 0.3, of: all}]
     actions: [{action: emit, event: OPEN_GOAL}]
   stopped_near_the_line:
-    triggers: [{trigger: holds, condition: {condition: speed, entity: ball, at_most: 0.01}, for_s: 0.5}]
+    triggers: [{trigger: holds, conditions: [{speed: ball, at_most: 0.01}], for_s: 0.5}]
     conditions:
-      - {condition: distance, entity: ball, to: line, at_most: 0.2}
-      - {condition: distance, entity: ball, to: edge, at_least: 0.1}
+      - {distance: [ball, line], at_most: 0.2}
+      - {distance: [ball, edge], at_least: 0.1}
     actions:
       # The nearer to the line, the more points: 10 on it, 8 at 10 cm.
       - {action: score, entrant: yellow, points: {distance: [ball, line], times: -20, plus: 10}}
@@ -70,36 +46,23 @@ expect:
 """
     SENTENCE = "all of the blue robots are at least 0.3 m from the ball"
 
-    def test(self, to: Binder) -> Test:
-        state, of = to.state, self.of
-        entities, holds = to.entities(self.entity), self.comparison(to, counted=to_mm)
-        targets = to.targets(self.to)
-        # Nothing is measured from itself.
-        others = {
-            entity: tuple(target.away_m for target in targets if not target.is_with(entity)) for entity in entities
-        }
+    def grouped(self) -> Names | None:
+        return self.named() or None
 
-        def results() -> Iterable[bool]:
-            for entity in entities:
-                if state.present[entity]:
-                    x, y, _ = state.poses[entity]
-                    distances = (away_m(x, y) for away_m in others[entity])
-                    nearest = min((one for one in distances if one is not None), default=None)
-                    if nearest is not None:
-                        yield holds(nearest)
-
-        return lambda: quantified(of, results())
-
-    def watched(self, to: Binder) -> tuple[int, ...]:
-        return (*super().watched(to), *anchors(to, self.to))
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads."""
+        return self.named() or None
 
     def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
-        limits = (limit for _, limit in self.limits())
-        return tuple((self.to, float(limit)) for limit in limits if isinstance(limit, int | float) and limit > 0)
+        limits = () if self.value.is_computed() else (limit for _, limit in self.limits())
+        return tuple((self.distance[1], float(one)) for one in limits if isinstance(one, int | float) and one > 0)
 
     def describe(self, phrases: Phrases) -> str:
-        subject = phrases.quantified(self.of, self.entity, negate=self.negate)
-        point = phrases.point(self.to, self.entity)
+        here, there = self.distance
+        if self.value.is_computed() or not is_named(here):
+            return super().describe(phrases)
+        subject = phrases.quantified(self.of or "any", here, negate=self.negate)
+        point = phrases.point(there, here)
         opposite = self.opposite(phrases, " m") if subject.negated else None
         if opposite is None:
             return f"{subject.does('is', 'are')} {self.compared(phrases, ' m', f' from {point}')}"

@@ -1,6 +1,6 @@
 """The condition ``flag``."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
@@ -13,7 +13,6 @@ from rcj_challenges.rules.refs import FLAG, WHOSE_OF
 class FlagIs(Condition):
     """Whether a flag is set."""
 
-    condition: Literal["flag"]
     flag: Annotated[Name, FLAG] = described(..., "a flag")
     entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
@@ -25,6 +24,7 @@ class FlagIs(Condition):
         None, "how many members of a group must satisfy it; without entity: of all members"
     )
 
+    KEY = "flag"
     EXAMPLE = """
 flags:
   lights: {}
@@ -38,7 +38,7 @@ rules:
     actions: [{action: set_flag, flag: doubled}]
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{condition: flag, flag: lights}, {condition: flag, flag: doubled, negate: true}]
+    conditions: [{flag: lights}, {flag: doubled, negate: true}]
     actions: [{action: score, entrant: yellow}]
 expect:
   it_counts_while_the_lights_are_on:

@@ -1,6 +1,6 @@
 """The condition ``last_touch``."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
@@ -8,20 +8,20 @@ from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE
 from rcj_challenges.rules.refs import ROBOTS, THING
 
 
-class LastTouch(Condition):
+class LastTouchIs(Condition):
     """Which robot was the last to touch a thing since that thing was placed."""
 
-    condition: Literal["last_touch"]
-    entity: Annotated[Name, THING] = described("ball", "what was touched: an entity, a fixed obstacle, or each")
-    by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group (any member)")
+    last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
+    equals: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group (any member)")
 
-    ABOUT = "entity"
+    KEY = "last_touch"
+    ABOUT = "last_touch"
     NOTES = (LAST_TOUCH_NOTE,)
     EXAMPLE = """
 rules:
   own_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{condition: last_touch, entity: ball, by: blue}]
+    conditions: [{last_touch: ball, equals: blue}]
     actions: [{action: emit, event: OWN_GOAL}]
 expect:
   the_last_one_counts:
@@ -35,15 +35,15 @@ expect:
     SENTENCE = "the last to touch the ball was one of the blue robots"
 
     def test(self, to: Binder) -> Test:
-        touched, by = to.thing(self.entity), frozenset(to.entities(self.by))
+        touched, by = to.thing(self.last_touch), frozenset(to.entities(self.equals))
         contacts = to.contacts
         contacts.follow_last(touched)
         return lambda: contacts.last(touched) in by
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        touched = to.thing(self.entity)
+        touched = to.thing(self.last_touch)
         return (touched,) if touched < len(to.state.present) else ()  # a fixed obstacle is never placed
 
     def describe(self, phrases: Phrases) -> str:
-        last, was = f"the last to touch {phrases.thing(self.entity)}", "was not" if self.negate else "was"
-        return f"it {was} {last}" if self.by == "each" else f"{last} {was} {phrases.any_of(self.by)}"
+        last, was = f"the last to touch {phrases.thing(self.last_touch)}", "was not" if self.negate else "was"
+        return f"it {was} {last}" if self.equals == "each" else f"{last} {was} {phrases.any_of(self.equals)}"

@@ -1,9 +1,46 @@
-"""What conditions that are made of others share."""
+"""Conditions that must all hold, or of which one must hold."""
 
 from collections.abc import Sequence
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
+from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.phrasing import listed
+
+
+class AllHold(Condition):
+    """Several conditions that must all hold: a list of them."""
+
+    conditions: tuple[Condition, ...]
+
+    def is_several(self) -> bool:
+        return len(self.conditions) > 1
+
+    def is_always(self) -> bool:
+        return all(one.is_always() for one in self.conditions)
+
+    def compares_with_counter(self) -> bool:
+        return any(one.compares_with_counter() for one in self.conditions)
+
+    def test(self, to: Binder) -> Test:
+        tests = tuple(condition.compile(to) for condition in self.conditions)
+        return tests[0] if len(tests) == 1 else lambda: all(test() for test in tests)
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        return watched_by(to, self.conditions)
+
+    def about(self) -> Names | None:
+        return self.conditions[0].about() if len(self.conditions) == 1 else None
+
+    def describe(self, phrases: Phrases) -> str:
+        # Not all of them hold: of one the opposite does.
+        return one_holds(phrases, opposites(self.conditions)) if self.negate else all_hold(phrases, self.conditions)
+
+
+def as_one(conditions: Condition | tuple[Condition, ...]) -> Condition:
+    """Return a list of conditions of which all must hold as one."""
+    if isinstance(conditions, Condition):
+        return conditions
+    return AllHold.model_construct(conditions=conditions) if len(conditions) > 1 else conditions[0]
 
 
 def watched_by(to: Binder, conditions: Sequence[Condition]) -> tuple[int, ...]:
@@ -27,13 +64,13 @@ def one_holds(phrases: Phrases, parts: Sequence[Condition]) -> str:
     """Return that one of several conditions holds."""
     if len(parts) == 1:
         return parts[0].describe(phrases)
-    inner = [_as_one(phrases, one) for one in parts]
+    inner = [_within(phrases, one) for one in parts]
     return "either " + (", or " if any(one.is_several() for one in parts) else " or ").join(inner)
 
 
-def _as_one(phrases: Phrases, condition: Condition) -> str:
+def _within(phrases: Phrases, condition: Condition) -> str:
     """Return a condition as one of several; if all of others must hold in it, as ``both … and …``."""
-    if not condition.is_several() or condition.name() != "all_of" or condition.negate:
+    if not isinstance(condition, AllHold) or condition.negate:
         return condition.describe(phrases)
-    inner = [one.describe(phrases) for one in getattr(condition, "conditions", ())]
+    inner = [one.describe(phrases) for one in condition.conditions]
     return f"both {inner[0]} and {inner[1]}" if len(inner) == 2 else f"{listed(inner, 'and')} at once"

@@ -1,32 +1,17 @@
-"""The condition ``timer``."""
+"""What is particular to the condition ``timer``."""
 
-from typing import Annotated, Literal
-
-from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.comparison import Compared
-from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.kept import asked, kept
 from rcj_challenges.rules.phrasing import quoted
-from rcj_challenges.rules.quantifier import Quantifier
-from rcj_challenges.rules.refs import TIMER, WHOSE_OF
+from rcj_challenges.rules.values.number import NumberValue
+from rcj_challenges.rules.values.timer import TimerValue
 
 
-class TimerIs(Compared):
+class TimerIs(Compared, TimerValue):
     """How long a timer has run, in s; without a comparison: whether it is running (an expired timer is not)."""
 
-    condition: Literal["timer"]
-    timer: Annotated[Name, TIMER] = described(..., "a timer")
-    entity: Annotated[Names | None, WHOSE_OF] = described(
-        None,
-        "for a timer kept per entity: which entity; each: the current member; if omitted and "
-        "there is no for_each: the longest; "
-        "with `of` also a group or a list",
-    )
-    of: Quantifier | None = described(
-        None, "how many members of a group must satisfy it; without entity: of all members"
-    )
-
+    VALUE = TimerValue
     REQUIRES = ()
     EXAMPLE = """
 timers:
@@ -38,7 +23,7 @@ rules:
   quick_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     # Running, and for at most 2 s; a timer that has never run is at 0.
-    conditions: [{condition: timer, timer: since_touch}, {condition: timer, timer: since_touch, at_most: 2}]
+    conditions: [{timer: since_touch}, {timer: since_touch, at_most: 2}]
     actions: [{action: score, entrant: yellow, points: 2}]
 expect:
   a_goal_within_2_s_of_the_touch_gives_two_points:
@@ -53,25 +38,25 @@ expect:
     SENTENCE = "the timer “since touch” has run for at most 2 s"
 
     def test(self, to: Binder) -> Test:
+        if self.limits():
+            return super().test(to)
         state, clocks = to.state, to.state.timers[self.timer]
-        everyone = tuple(clocks.values())
-        is_compared = bool(self.limits())
-        holds = self.comparison(to)
 
-        def test(whose: str | None) -> bool:
-            asked = everyone if whose is None else (clocks[whose],)
-            if not is_compared:
-                return any(clock.running(state.tick) for clock in asked)
-            return holds(s_from_ticks(max(clock.ticks(state.tick) for clock in asked)))
+        def is_running(value: NumberValue) -> Test:
+            whose = None if not isinstance(value, TimerValue) else value.whose(to)
+            read = tuple(clocks.values()) if whose is None else (clocks[whose],)
+            return lambda: any(clock.running(state.tick) for clock in read)
 
-        return test_of_kept(self, to, clocks, test)
+        return self.test_of_each(to, is_running)
 
     def describe(self, phrases: Phrases) -> str:
+        if self.value.is_computed():
+            return super().describe(phrases)
         subject, run_for = asked(phrases, self, "timer", self.timer), self.compared(phrases, " s")
         timer, no = kept(phrases, self, "timer", self.timer), " not" if self.negate else ""
         if not run_for and subject is None:
             return f"{timer} is{no} running"
-        if subject is not None and (self.of is not None or not run_for):
+        if subject is not None and (self.of is not None or self.entity is not None or not run_for):
             article, state = ("a", f"that has run for {run_for}") if run_for else ("the", "running")
             return f"{subject.does('has', 'have')} {article} timer {quoted(self.timer)} {state}"
         owners = phrases.owners("timer", self.timer)

@@ -1,25 +1,21 @@
-"""The condition ``told``."""
+"""What is particular to the condition ``told``."""
 
-from typing import Annotated, Literal
-
-from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
-from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.base import Binder, Phrases, Test
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.message import Message
-from rcj_challenges.rules.quantifier import Quantifier, quantified
-from rcj_challenges.rules.refs import ROBOTS
+from rcj_challenges.rules.values.number import NumberValue
+from rcj_challenges.rules.values.reported import ReportedValue
 
 
-class Told(Condition, Message):
+class ToldIs(Compared, Message, ReportedValue):
     """A robot's last message to the referee in this half; the condition does not hold before the first one.
 
-    Without `text` and `is_a`: whether it has sent any message.
+    Without a comparison: whether it has sent one, and it is what `text` and `is_a` require.
     """
 
-    condition: Literal["told"]
-    entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
-    of: Quantifier = described("any", "how many members of a group must have sent it")
-
-    READS_MESSAGES = True
+    VALUE = ReportedValue
+    REQUIRES = ()
+    EXCLUDES = (*Compared.EXCLUDES, ("text", ("at_least", "at_most", "above", "below", "equals")))
     EXAMPLE = """
 # A question with a number as its answer: the right one gives 5 points, any other costs one.
 draws: {number: {values: [1, 2, 3]}}
@@ -31,7 +27,7 @@ rules:
   wrong:
     for_each: robots
     triggers: [{trigger: tells, entity: each}]
-    conditions: [{condition: told, entity: each, text: {draw: number}, negate: true}]
+    conditions: [{told: each, text: {draw: number}, negate: true}]
     actions:
       - {action: score, entrant: each, points: -1}
       - {action: emit, event: WRONG, payload: {robot_name: {word: robot_name}, told: {told: each}}}
@@ -46,12 +42,20 @@ expect:
     SENTENCE = "it does not have what was drawn as “number” as its last message to the referee"
 
     def test(self, to: Binder) -> Test:
-        messages, of, fits = to.state.messages, self.of, self.matcher(to.state.draws)
-        robots = to.members(self.entity)
-        return lambda: quantified(of, (robot in messages and fits(messages[robot]) for robot in robots))
+        if self.limits():
+            return super().test(to)
+        messages, fits = to.state.messages, self.matcher(to.state.draws)
+
+        def has_told(value: NumberValue) -> Test:
+            (robot,) = to.members(value.named())
+            return lambda: robot in messages and fits(messages[robot])
+
+        return self.test_of_each(to, has_told)
 
     def describe(self, phrases: Phrases) -> str:
-        subject, said = phrases.quantified(self.of, self.entity, negate=self.negate), self.said(phrases)
+        if self.limits():
+            return super().describe(phrases)
+        subject, said = phrases.quantified(self.of or "any", self.told, negate=self.negate), self.said(phrases)
         if not said:
             return f"{subject.does('was', 'were')} heard by the referee before"
         their = "their" if subject.plural else "its"

@@ -1,27 +1,20 @@
-"""The condition ``way``."""
+"""What is particular to the condition ``way``."""
 
-from typing import Annotated, Literal
-
-from rcj_challenges.rules.base import Binder, Phrases, Test
-from rcj_challenges.rules.comparison import Compared, to_mm
-from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.quantifier import Quantifier, quantified
-from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.base import Phrases
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.values.way import WayValue
 
 
-class WayIs(Compared):
+class WayIs(Compared, WayValue):
     """The length of an entity's path in this half in m, not counting placements; also for entities off the field."""
 
-    condition: Literal["way"]
-    entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
-    of: Quantifier = described("any", "how many members of a group must satisfy it")
-
+    VALUE = WayValue
     EXAMPLE = """
 counters: {budget_m: {initial: 1}}
 rules:
   used_up:
     for_each: yellow
-    triggers: [{trigger: holds, condition: {condition: way, entity: each, at_least: {counter: budget_m}}}]
+    triggers: [{trigger: holds, conditions: [{way: each, at_least: {counter: budget_m}}]}]
     actions: [{action: remove, entity: each}, {action: emit, event: USED_UP, payload: {robot_name: {word: robot_name}}}]
   put_back:
     # A placement by a rule does not count, and does not restore the budget.
@@ -39,15 +32,10 @@ expect:
 """
     SENTENCE = "it has a way in this half of at least as many m as the counter “budget (m)” says"
 
-    def test(self, to: Binder) -> Test:
-        state, of = to.state, self.of
-        entities, holds = to.entities(self.entity), self.comparison(to, counted=to_mm)
-        for entity in entities:
-            state.follow_way(entity)
-        return lambda: quantified(of, (holds(state.ways[entity]) for entity in entities))
-
     def describe(self, phrases: Phrases) -> str:
-        subject = phrases.quantified(self.of, self.entity, negate=self.negate)
+        if self.value.is_computed():
+            return super().describe(phrases)
+        subject = phrases.quantified(self.of or "any", self.way, negate=self.negate)
         if subject.negated and (opposite := self.opposite(phrases, " m")):
             return f"{subject.text} has a way in this half of {opposite}"
         return f"{subject.does('has', 'have')} a way in this half of {self.compared(phrases, ' m')}"

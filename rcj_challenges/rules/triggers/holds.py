@@ -2,9 +2,12 @@
 
 from typing import Literal
 
+from pydantic import Field
+
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
-from rcj_challenges.rules.base import Binder, Phrases, Test, Trigger
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test, Trigger
 from rcj_challenges.rules.conditions import AnyCondition
+from rcj_challenges.rules.conditions.several import as_one
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.tracking.bound_rules import HitBuffer
@@ -13,20 +16,22 @@ from rcj_challenges.tracking.trackers import NEVER, TickTracker
 
 
 class Holds(Trigger):
-    """Fires when a condition has held for a given time and, with ``every_s``, again at intervals."""
+    """Fires when conditions have held for a given time and, with ``every_s``, again at intervals."""
 
     trigger: Literal["holds"]
-    condition: AnyCondition = described(..., "the condition")
+    conditions: tuple[AnyCondition, ...] = Field(
+        ..., strict=False, min_length=1, description="the conditions, which must all hold"
+    )
     for_s: NotNegative = described(
         0.0,
-        "how long it must hold, in s; 0: it fires as soon as the condition becomes true, but not if it was "
-        "already true when the rule became active, or if a placement or removal made it true (spot_free, "
-        "sequence_at and comparisons with lowest or highest notice that one tick later)",
+        "how long they must hold, in s; 0: it fires as soon as they become true, but not if they were "
+        "already true when the rule became active, or if a placement or removal made them true (spot_free, "
+        "sequence and comparisons with lowest or highest notice that one tick later)",
     )
     grace_s: NotNegative = described(0.0, "interruptions of up to this time, in s, do not count")
     every_s: DurationS | None = described(
         None,
-        "interval in s at which it fires again while the condition holds, counted from the end of for_s; if "
+        "interval in s at which it fires again while they hold, counted from the end of for_s; if "
         "omitted: it fires once",
     )
 
@@ -37,7 +42,7 @@ rules:
   point_for_each_second_in_the_middle:
     triggers:
       - trigger: holds
-        condition: {condition: distance, entity: ball, to: centre, at_most: 0.1}
+        conditions: [{distance: [ball, centre], at_most: 0.1}]
         for_s: 1
         every_s: 1
     actions: [{action: score, entrant: yellow}]
@@ -51,8 +56,14 @@ expect:
 """
     SENTENCE = "the ball is at most 0.1 m from the spot “centre” for 1 s, and again every 1 s while that lasts"
 
+    @property
+    def condition(self) -> Condition:
+        """The conditions as one."""
+        return as_one(self.conditions)
+
     def bind(self, to: Binder) -> None:
-        tracker = HoldTracker(to.state, to.hits, self.condition.watched(to), self.condition.compile(to), self)
+        condition = self.condition
+        tracker = HoldTracker(to.state, to.hits, condition.watched(to), condition.compile(to), self)
         # What it is about is known if one entity stands in the condition.
         tracker.bindings.append(to.binding(tracker.entities[0] if len(tracker.entities) == 1 else None))
         to.track_alone(tracker)

@@ -48,7 +48,7 @@ rules:
   push:
     for_each: robots
     triggers: [{trigger: touches, entity: each, other: robots}]
-    conditions: [{condition: looks, entity: each, towards: other, within_rad: 0.5}]
+    conditions: [{entity: each, looks: other, within_rad: 0.5}]
     actions: [{action: count, counter: pushed, entity: other}]
     says: '{entity} pushes {other}.'
   foul:
@@ -59,7 +59,7 @@ rules:
   # each of them, since all see the flag as it was at the start of the tick. {last_touch: ball} names one of them.
   first_touch:
     triggers: [{trigger: touches, entity: robots, other: ball}]
-    conditions: [{condition: flag, flag: touched, negate: true}]
+    conditions: [{flag: touched, negate: true}]
     actions: [{action: score, entrant: {last_touch: ball}}, {action: set_flag, flag: touched}]
   # It fires again while the contact lasts: a robot that leans on another is warned every 2 s.
   leans:

@@ -14,9 +14,9 @@ from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.rules.values.draw import DrawnDuration, DrawValue, NumberDraw
+from rcj_challenges.rules.values.entity import FactValue
 from rcj_challenges.rules.values.flag import FlagValue
 from rcj_challenges.rules.values.folded import FoldedValue
-from rcj_challenges.rules.values.held import HeldValue
 from rcj_challenges.rules.values.highest import HighestValue
 from rcj_challenges.rules.values.last_touch import LastTouchValue
 from rcj_challenges.rules.values.lowest import LowestValue
@@ -44,10 +44,10 @@ _NUMBERS = (
     LowestValue,
     SumValue,
 )
-NUMBERS.add(*_NUMBERS, NumberDraw, NumberWord)
+NUMBERS.add(*_NUMBERS, NumberDraw, NumberWord, FactValue)  # the last one: its key stands beside those of others
 
 VALUES = KeyedVocabulary({"literal": Scalar}, lambda _value: "literal")
-VALUES.add(*_NUMBERS, DrawValue, WordValue, PositionValue, HeldValue, LastTouchValue)
+VALUES.add(*_NUMBERS, DrawValue, WordValue, PositionValue, LastTouchValue, FactValue)
 Value = Annotated[Scalar | ValueWord, VALUES]
 """What stands in the payload of an event or in the broadcast."""
 

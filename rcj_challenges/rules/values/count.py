@@ -4,9 +4,10 @@ from collections.abc import Callable
 from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Scope
-from rcj_challenges.rules.facts import Facts
-from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.facts import Fact, Facts
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrasing import listed, quoted
+from rcj_challenges.rules.refs import ENTITIES, FLAG
 from rcj_challenges.rules.values.number import NumberValue
 
 
@@ -14,9 +15,11 @@ class CountValue(Facts, NumberValue):
     """How many of a group are on the field or, with facts, of how many of them these are all true."""
 
     count: Annotated[Names, ENTITIES] = described(..., "a group, others, or a list")
+    flag: Annotated[Name | None, FLAG] = described(None, "its flag, kept per entity, is set, on the field or off it")
 
     KEY = "count"
     OWNER = "count"
+    REQUIRES = ()
     EXAMPLE = """
 rules:
   goal:
@@ -33,6 +36,15 @@ expect:
     score: {yellow: 5}
 """
     SENTENCE = "the number of blue robots that are in the blue penalty area"
+
+    def facts(self, to: Scope) -> tuple[Fact, ...]:
+        state, flag = to.state, self.flag
+        flagged = () if flag is None else (lambda entity: state.flag(flag, to.name_of(entity)),)
+        return (*super().facts(to), *flagged)
+
+    def describe_facts(self, phrases: Phrases) -> str:
+        flagged = [] if self.flag is None else [f"marked by the flag {quoted(self.flag)}"]
+        return listed(list(filter(None, [super().describe_facts(phrases), *flagged])), "and")
 
     def now(self, to: Scope) -> Callable[[], int]:
         state, facts = to.state, self.facts(to)

@@ -5,14 +5,14 @@ from typing import Annotated
 
 from rcj_challenges.rules.base import Number, Phrases, Scope
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import READABLE
+from rcj_challenges.rules.refs import COUNTER
 from rcj_challenges.rules.values.kept import KeptValue
 
 
 class CounterValue(KeptValue):
-    """The value of a counter, or an entrant's score."""
+    """The value of a counter."""
 
-    counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
+    counter: Annotated[Name, COUNTER] = described(..., "a counter")
 
     KEY = "counter"
     IN = "counters"
@@ -25,7 +25,7 @@ rules:
       - {action: count, counter: goals}
       # The first goal gives 1 point, the second 2.
       - {action: score, entrant: yellow, points: {counter: goals}}
-      - {action: emit, event: GOAL, payload: {goals: {counter: goals}, score: {counter: yellow}}}
+      - {action: emit, event: GOAL, payload: {goals: {counter: goals}, score: {score: yellow}}}
 expect:
   values_are_read_when_the_action_runs:
     keyframes:

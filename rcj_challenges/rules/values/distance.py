@@ -5,16 +5,18 @@ from typing import Annotated, Self
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Phrases, Scope
-from rcj_challenges.rules.fields import MM_DIGITS, Name, Names, Point, described
+from rcj_challenges.rules.base import Phrases, Reader, Scope
+from rcj_challenges.rules.fields import MM_DIGITS, Name, Names, Point, described, is_named
 from rcj_challenges.rules.refs import MEASURED_TO
 from rcj_challenges.rules.values.number import NumberValue
+
+_Several = Annotated[tuple[Name, ...], Field(strict=False, min_length=1)]
 
 
 class DistanceValue(NumberValue):
     """The distance in m between the centres of two things, to the millimetre; none while one is off the field."""
 
-    distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False), MEASURED_TO] = described(
+    distance: Annotated[tuple[Name | Point | _Several, Name | Point], Field(strict=False), MEASURED_TO] = described(
         ...,
         "two of the following: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest "
         "member), [x, y] in m; one of them may be a wall, a gate or a zone: then its nearest point counts, and inside "
@@ -23,6 +25,7 @@ class DistanceValue(NumberValue):
 
     KEY = "distance"
     OVER = "distance"
+    DIGITS = MM_DIGITS
     UNIT = "m"
     EXAMPLE = """
 rules:
@@ -43,6 +46,14 @@ expect:
     SENTENCE = "the distance between the ball and the spot “centre” in m"
 
     def now(self, to: Scope) -> Callable[[], float | None]:
+        read = self._measure(to)
+        return lambda: None if (metres := read()) is None else round(metres, MM_DIGITS)
+
+    def unrounded(self, to: Scope) -> Reader:
+        read = self._measure(to)
+        return lambda _firing: read()
+
+    def _measure(self, to: Scope) -> Callable[[], float | None]:
         """Return a function that measures the distance; None if one of the two is off the field."""
         here, there = (to.targets(end) for end in self.distance)
         if any(one.place is None for one in here):
@@ -57,21 +68,28 @@ expect:
         def read() -> float | None:
             starts = ((place(), away_m) for place, away_m in pairs)
             distances = (away_m(*start) for start, away_m in starts if start is not None)
-            nearest = min((one for one in distances if one is not None), default=None)
-            return None if nearest is None else round(nearest, MM_DIGITS)
+            return min((one for one in distances if one is not None), default=None)
 
         return read
 
     def names(self, _to: Scope) -> Names:
-        """Return its first end."""
-        return self.distance[0] if isinstance(self.distance[0], str) else ()
+        return self.named()
+
+    def named(self) -> Names:
+        """Return its first end, of which it is measured."""
+        here = self.distance[0]
+        return here if is_named(here) else ()
+
+    def places(self, to: Scope) -> tuple[int, ...]:
+        ends = (target.entity for end in self.distance for target in to.targets(end))
+        return tuple(dict.fromkeys(entity for entity in ends if entity is not None))
 
     def of_member(self, member: str) -> Self:
         return self.model_copy(update={"distance": (member, self.distance[1])})
 
     def describe_each(self, phrases: Phrases) -> str:
         here, there = self.distance
-        one = phrases.any_of(here) if isinstance(here, str) else phrases.point(here)
+        one = phrases.any_of(here) if is_named(here) else phrases.point(here)
         return f"distance between {one} and {phrases.point(there, here)} in {self.UNIT}"
 
     def describe(self, phrases: Phrases) -> str:

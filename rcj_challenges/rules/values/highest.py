@@ -22,7 +22,7 @@ rules:
     for_each: robots
     triggers: [{trigger: time_reached, at_s: 2}]
     conditions:
-      - {condition: counter, counter: laps, entity: each, at_least: {highest: {counter: laps, entity: others}}}
+      - {counter: laps, entity: each, at_least: {highest: {counter: laps, entity: others}}}
     actions: [{action: emit, event: FIRST, payload: {robot_name: {word: robot_name}}}]
 expect:
   the_robot_with_the_most_laps_is_first:

@@ -43,6 +43,9 @@ class KeptValue(NumberValue):
         kept: Any = getattr(to.state, self.IN).get(self.kept)
         return self.entity or (tuple(kept) if isinstance(kept, dict) else ())
 
+    def named(self) -> Names:
+        return self.entity or ()
+
     def one_entity(self) -> str | None:
         """Return the entity that is named."""
         if isinstance(self.entity, tuple):

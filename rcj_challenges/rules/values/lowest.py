@@ -20,7 +20,7 @@ rules:
     for_each: robots
     triggers: [{trigger: time_reached, at_s: 2}]
     conditions:
-      - {condition: counter, counter: laps, entity: each, at_most: {lowest: {counter: laps, entity: others}}}
+      - {counter: laps, entity: each, at_most: {lowest: {counter: laps, entity: others}}}
     actions: [{action: emit, event: LAST, payload: {robot_name: {word: robot_name}}}]
 expect:
   the_robot_with_the_fewest_laps_is_last:

@@ -35,10 +35,12 @@ class NumberValue(ValueWord):
     Attributes:
         IS_PART: that the schema defines these fields once for all such values.
         OVER: the field in which ``highest``, ``lowest`` and ``sum`` put each member of a group; empty: it has none.
+        DIGITS: to how many digits behind the point it is compared with another value; None: to all.
     """
 
     IS_PART: ClassVar = True
     OVER: ClassVar = ""
+    DIGITS: ClassVar[int | None] = None
 
     otherwise: Amount | None = described(
         None, "the number where there is none: of what is off the field, was never sent, or belongs to nobody"
@@ -87,6 +89,18 @@ class NumberValue(ValueWord):
 
         return work_out
 
+    def exact(self, to: Scope) -> Reader:
+        """Return a function that reads the number as it is compared: as measured, unless something stands beside it."""
+        return self.number(to) if self.is_computed() else self.unrounded(to)
+
+    def unrounded(self, to: Scope) -> Reader:
+        """Return a function that measures it, not rounded."""
+        return self.measure(to)
+
+    def places(self, _to: Scope) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        return ()
+
     def is_computed(self) -> bool:
         """Return whether anything stands beside it."""
         return self.round_ is not None or any(
@@ -101,6 +115,10 @@ class NumberValue(ValueWord):
         """Return the names that stand where ``highest``, ``lowest`` and ``sum`` put each member."""
         names: Names = getattr(self, self.OVER)
         return names
+
+    def named(self) -> Names:
+        """Return the names of what it is read of; none if it is read of all as one."""
+        return getattr(self, self.OVER) if self.OVER else ()
 
     def of_member(self, member: str) -> Self:
         """Return the value of one member."""

@@ -6,7 +6,7 @@ from typing import Annotated
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.core.messages import number_in
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
-from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ROBOT
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -17,7 +17,9 @@ class ReportedValue(NumberValue):
     Used as a number it is the number in the message, none if the message is not a number.
     """
 
-    told: Annotated[Name, ROBOT] = described(..., "a robot, or each; in highest, lowest and sum also a group or others")
+    told: Annotated[Names, ROBOT] = described(
+        ..., "a robot, or each; in highest, lowest and sum also a group or others"
+    )
 
     KEY = "told"
     OVER = "told"
@@ -59,7 +61,7 @@ expect:
         return read_number
 
     def describe(self, phrases: Phrases) -> str:
-        return f"what {phrases.thing(self.told)} has told the referee last"
+        return f"what {phrases.any_of(self.told)} has told the referee last"
 
     def describe_number(self, phrases: Phrases) -> str:
-        return f"the number that {phrases.thing(self.told)} has told the referee last"
+        return f"the number that {phrases.any_of(self.told)} has told the referee last"

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope
-from rcj_challenges.rules.fields import MM_DIGITS, Name, described
+from rcj_challenges.rules.base import Phrases, Reader, Scope
+from rcj_challenges.rules.fields import MM_DIGITS, Names, described
 from rcj_challenges.rules.refs import ENTITY
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -15,7 +15,7 @@ class SpeedValue(NumberValue):
     It is the path in the last tick divided by its duration.
     """
 
-    speed: Annotated[Name, ENTITY] = described(
+    speed: Annotated[Names, ENTITY] = described(
         ..., "an entity, or each; in highest, lowest and sum also a group or others"
     )
 
@@ -36,8 +36,15 @@ expect:
 """
     SENTENCE = "the speed of the ball in m/s"
 
+    def unrounded(self, to: Scope) -> Reader:
+        state, entity = to.state, to.entities(self.speed)[0]
+        return lambda _firing: state.speed_mps(entity)
+
+    def places(self, to: Scope) -> tuple[int, ...]:
+        return to.entities(self.speed)
+
     def now(self, to: Scope) -> Callable[[], float | None]:
-        state, entity = to.state, to.entity(self.speed)
+        state, entity = to.state, to.entities(self.speed)[0]
         return lambda: None if (mps := state.speed_mps(entity)) is None else round(mps, MM_DIGITS)
 
     def describe(self, phrases: Phrases) -> str:

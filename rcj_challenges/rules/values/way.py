@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope
-from rcj_challenges.rules.fields import MM_DIGITS, Name, described
+from rcj_challenges.rules.base import Phrases, Reader, Scope
+from rcj_challenges.rules.fields import MM_DIGITS, Names, described
 from rcj_challenges.rules.refs import ENTITY
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -15,12 +15,13 @@ class WayValue(NumberValue):
     Where rules put it is no way. Since a moment: this less a counter that was set to it then.
     """
 
-    way: Annotated[Name, ENTITY] = described(
+    way: Annotated[Names, ENTITY] = described(
         ..., "an entity, or each; in highest, lowest and sum also a group or others"
     )
 
     KEY = "way"
     OVER = "way"
+    DIGITS = MM_DIGITS
     UNIT = "m"
     EXAMPLE = """
 counters: {way_before_m: {}}
@@ -51,9 +52,14 @@ expect:
     SENTENCE = "the way of the ball in this half in m"
 
     def now(self, to: Scope) -> Callable[[], float]:
-        ways, entity = to.state.ways, to.entity(self.way)
+        ways, entity = to.state.ways, to.entities(self.way)[0]
         to.state.follow_way(entity)
         return lambda: round(ways[entity], MM_DIGITS)
+
+    def unrounded(self, to: Scope) -> Reader:
+        ways, entity = to.state.ways, to.entities(self.way)[0]
+        to.state.follow_way(entity)
+        return lambda _firing: ways[entity]
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.owned('way', self.way)} in this half in {self.UNIT}"

@@ -9,7 +9,8 @@ from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device
-from rcj_challenges.rules.base import PlaceWord, Trigger
+from rcj_challenges.rules.base import Condition, PlaceWord, Trigger
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.effects import AtTime, Draws, SetsSpot
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import Kick
@@ -84,7 +85,8 @@ def _keys(model: Strict, path: Path) -> Iterator[Diagnostic]:
             yield issue(codes.CONFLICTING_KEYS, at, message, "leave one of them out", at_key=True, other=other)
     choices = model.REQUIRES or tuple((key,) for key in model.either)
     if choices and not any(all(getattr(model, key) is not None for key in keys) for keys in choices):
-        yield issue(codes.MISSING_KEY, path, f"needs {', or '.join(map(' and '.join, choices))}")
+        needed = ", or ".join(" and ".join(keys) for keys in choices).replace("in_", "in")
+        yield issue(codes.MISSING_KEY, path, f"needs {needed}")
     if isinstance(model, Draw) and len(set(map(repr, model.values))) == 1:
         for key in (one for one in ("not_last", "not_again") if getattr(model, one)):
             message = "one value alone comes again every time"
@@ -107,11 +109,15 @@ def _numbers(model: Strict, path: Path, roster: Roster) -> Iterator[Diagnostic]:
         case Kick(speed_mps=(least, most)) if least > most:
             yield issue(codes.EMPTY_RANGE, (*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
     of = getattr(model, "of", None)
-    names = getattr(model, "entity", getattr(model, "spot", None))
+    names = model.grouped() if isinstance(model, Condition) else None
     is_number = isinstance(of, HowMany) and (of.at_least or of.equals)
     if isinstance(of, HowMany) and is_number and names is not None and of.number > len(roster.expand(names)):
         count = len(roster.expand(names))
         yield issue(codes.NEVER_HOLDS, (*path, "of"), f"{of.describe(negate=False)} of {count} can never hold")
+    if isinstance(model, Compared) and of is not None and not model.VALUE.OVER:
+        yield issue(
+            codes.NOT_PER_ENTITY, (*path, "of"), "this is one number, not one for each of a group", "leave 'of' out"
+        )
     for key in ("for_s", "grace_s"):
         seconds = getattr(model, key, None)
         if isinstance(seconds, int | float) and 0 < seconds < TICK_S:

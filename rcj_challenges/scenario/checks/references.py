@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, issue
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.refs import Ref, Reference, SectionRef, drawn_value, refs_of
+from rcj_challenges.rules.base import Condition, Trigger
+from rcj_challenges.rules.refs import ROBOTS, Ref, Reference, SectionRef, drawn_value, refs_of
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.rules.values import FOLDS
 from rcj_challenges.scenario import codes
@@ -22,7 +22,7 @@ from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import format_node, spelled
 from rcj_challenges.scenario.models.robots import Entrant, Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
-from rcj_challenges.scenario.models.state import Timer
+from rcj_challenges.scenario.models.state import Sequence, Timer
 from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, OTHERS, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, format_path, node_at
@@ -31,6 +31,7 @@ _ON_FIELD = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups"
 """Sections whose names stand for something on the field."""
 _KEPT = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
 """What may be kept once, or for each member of a group, by the key that names it."""
+_ONLY_ROBOTS: dict[str, Any] = {"noun": ROBOTS.noun, "kinds": ROBOTS.kinds}
 _Wrong = tuple[Code, str, str]
 
 
@@ -94,7 +95,7 @@ class _Walker:
         elif model is Timer and texts(node.entries.get("per")):
             # What one of several timers lasts may be what the counter of the same member says.
             scope = Scope(self._members(node.entries["per"], Scope()))
-        for key, reference, default in _refs_of(model, path):
+        for key, reference, default in _refs_of(model, node, path):
             if key in node.entries:
                 self._values(reference, node.entries[key], (*path, key), path)
                 for name, at in _names_in(node.entries[key], (*path, key), reference):
@@ -295,7 +296,10 @@ class _Walker:
         for name, info in model.model_fields.items() if "draw" in node.entries else ():
             if (mark := drawn_value(model, name)) is not None:
                 self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
-        if _is_folded(path) and not getattr(model, "OVER", ""):
+        over = getattr(model, "OVER", "")
+        if over and not _is_folded(path) and not issubclass(model, Condition) and over != "entity":
+            self._one_only(over, node.entries.get(over), path)
+        if _is_folded(path) and not over:
             self.add(codes.WRONG_KIND, path, "this value names no group", "write a list of numbers: [{…}, {…}]")
         if model is Expectation:
             self._decided_by_test(node, path)
@@ -303,7 +307,7 @@ class _Walker:
             self._touch(node, path, scope)
         if "kick" in node.entries:
             self._kick(node, path, scope)
-        if "step" in node.entries:
+        if model is not Sequence and "sequence" in node.entries and "equals" in node.entries:
             self._among_steps(node, path, scope)
 
     def _kick(self, node: Entries, path: Path, scope: Scope) -> None:
@@ -340,18 +344,23 @@ class _Walker:
                 self.add(codes.MISSING_ENTITY, (*path, key), message, "say whose with 'entity', such as entity: each")
             return
         is_several = isinstance(whose, Items) or any(one in roster.groups and one not in kinds for one in texts(whose))
-        over = getattr(model, "OVER", None)
-        reads_one = owner == "entity" and ("of" in fields(model) or over is not None)
-        if is_several and reads_one and not is_counted and not _is_folded(path):
-            help_ = "name one entity, or say with 'of' how many of them: any, all, none, {at_least: n}"
-            if over is not None:
-                help_ = f"name one, or write what is meant of several: {{sum: {{{key}: {name}, …}}}}, highest or lowest"
+        reads_one = owner == "entity" and hasattr(model, "OVER") and not issubclass(model, Condition)
+        if is_several and reads_one and not _is_folded(path):
+            help_ = f"name one, or write what is meant of several: {{sum: {{{key}: {name}, …}}}}, highest or lowest"
             self.add(codes.MISSING_ENTITY, (*path, "entity"), "these are several", help_)
             return
         stranger = next((one for one in self._members(whose, scope) if one not in owners and one in kinds), None)
         if stranger is not None:
             message = f"{key} '{name}' is kept per {group}, and '{stranger}' is not among them"
             self.add(codes.WRONG_KIND, (*path, "entity"), message)
+
+    def _one_only(self, key: str, names: Node | None, path: Path) -> None:
+        """Check that one thing is named where a number is read of one."""
+        ends = names.items if isinstance(names, Items) else []
+        several = ends[0] if key == "distance" and ends else names
+        if isinstance(several, Items) and any(texts(one) for one in several.items):
+            help_ = f"name one, or write what is meant of several: {{sum: {{{key}: …}}}}, highest or lowest"
+            self.add(codes.MISSING_ENTITY, (*path, key), "these are several", help_)
 
     def _touch(self, touch: Entries, path: Path, scope: Scope) -> None:
         """Check that two things can touch: one of them moves, and they are not the same."""
@@ -384,7 +393,7 @@ class _Walker:
         )
 
     def _among_steps(self, node: Entries, path: Path, scope: Scope) -> None:
-        sequence, step = texts(node.entries.get("sequence")), texts(node.entries.get("step"))
+        sequence, step = texts(node.entries.get("sequence")), texts(node.entries.get("equals"))
         steps = node_at(self.root, ("sequences", *sequence[:1], "steps"))
         if not isinstance(steps, Items) or not step:
             return
@@ -393,18 +402,19 @@ class _Walker:
         # Of several that `each` stands for it suffices that one is a step.
         if members and all(self.roster.kinds.get(one) in ("zone", "gate") and one not in known for one in members):
             message = f"'{members[0]}' is not a step of it"
-            self.add(codes.UNKNOWN_NAME, (*path, "step"), message, choice_of(members[0], known))
+            self.add(codes.UNKNOWN_NAME, (*path, "equals"), message, choice_of(members[0], known))
 
 
-def _refs_of(model: Any, path: Path) -> list[tuple[str, Reference, Any]]:
-    """Return the fields of a model that name something; of a value that is read of several, also groups of them."""
-    if not _is_folded(path):
-        return refs_of(model)
-    over = getattr(model, "OVER", "")
-    return [
-        (key, replace(one, groups=True) if key == over and isinstance(one, Ref) else one, default)
-        for key, one, default in refs_of(model)
-    ]
+def _refs_of(model: Any, node: Entries, path: Path) -> list[tuple[str, Reference, Any]]:
+    """Return the fields of a model that name something: of a condition, or a value read of several, also groups."""
+    over = getattr(model, "OVER", "") if _is_folded(path) or issubclass(model, Condition) else ""
+    robots = getattr(model, "OWNER", "") if any(key in node.entries for key in getattr(model, "OF_ROBOTS", ())) else ""
+    found = []
+    for key, reference, default in refs_of(model):
+        one = replace(reference, **_ONLY_ROBOTS) if key == robots and isinstance(reference, Ref) else reference
+        one = replace(one, groups=True) if key == over and isinstance(one, Ref) else one
+        found.append((key, one, default))
+    return found
 
 
 def _is_folded(path: Path) -> bool:

@@ -8,8 +8,8 @@ from math import pi, radians
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.conditions.distance import Distance
-from rcj_challenges.rules.conditions.speed import Speed
+from rcj_challenges.rules.conditions.distance import DistanceIs
+from rcj_challenges.rules.conditions.speed import SpeedIs
 from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Strict
@@ -104,8 +104,8 @@ class NeverReached(LintRule, code="never-reached"):
         fastest_mps = max(self._PUSHED * drives_mps, 2 * MAX_KICK_MPS)
         too_fast = f"the fastest robot drives {drives_mps:g} m/s"
         for model, path in ctx.models:
-            keys = ("at_least", "above", "equals") if isinstance(model, Distance | Speed) else self._LENGTHS
-            most, unit, why = (fastest_mps, "m/s", too_fast) if isinstance(model, Speed) else (across_m, "m", too_far)
+            keys = ("at_least", "above", "equals") if isinstance(model, DistanceIs | SpeedIs) else self._LENGTHS
+            most, unit, why = (fastest_mps, "m/s", too_fast) if isinstance(model, SpeedIs) else (across_m, "m", too_far)
             for key in keys if path[:1] in (("rules",), ("placements",)) else ():
                 limit = getattr(model, key, None)
                 if isinstance(limit, int | float) and limit > most:
@@ -121,7 +121,7 @@ class ExactMeasurement(LintRule, code="exact-measurement"):
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for model, path in ctx.models:
             limit = getattr(model, "equals", None)
-            is_measured = isinstance(model, Speed) or (isinstance(model, Distance | WayIs) and limit != 0)
+            is_measured = isinstance(model, SpeedIs) or (isinstance(model, DistanceIs | WayIs) and limit != 0)
             if is_measured and isinstance(limit, int | float):
                 yield self.at((*path, "equals"), limit=limit)
 

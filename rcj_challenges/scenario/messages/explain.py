@@ -207,6 +207,10 @@ class _Explainer:
         help_ = f"did you mean '{near}'? " if near else ""
         mark = mark_of(self.root, (*above, key), at_key=True)
         names = in_names(self.root, above)
+        if key == "condition" and isinstance(node, Entries) and isinstance(word := node.entries[key], Leaf):
+            written = str(word.value)
+            foreign = OTHER_WORDS.get((key, written.casefold())) or _of_another_list(written, key)
+            help_ = f"{foreign or 'a condition has no such key'}; "
         return mark.error(UNKNOWN_KEY, f"unknown key '{key[:64]}'", help_ + choice_of("", allowed), names)
 
     def _wrong_value(self, mistake: _Mistake) -> Diagnostic:
@@ -225,6 +229,12 @@ class _Explainer:
         words = list(tags(mistake.shape))
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             help_ = own_help or _with_its_key(mistake.shape, node)
+            if words == list(tags(AnyCondition)) and isinstance(node, Entries):
+                keys = [key.casefold() for key in node.entries]
+                foreign = next((OTHER_WORDS["condition", key] for key in keys if ("condition", key) in OTHER_WORDS), "")
+                near = next((did_you_mean(key, words) for key in keys if did_you_mean(key, words)), "")
+                message = f"no condition has {format_node(node)}"
+                return self._at(mistake.path, UNKNOWN_WORD, message, foreign or near or choice_of("", words))
             return self._at(mistake.path, WRONG_VALUE, expected(mistake.shape, node), help_)
         tag = child(node, discriminator)
         if tag is None:
@@ -273,7 +283,7 @@ def _of_another_list(word: str, where: str) -> str:
     if where not in _LISTS or kind is None:
         return ""
     if kind == "condition" and where == "trigger":
-        return f"'{word}' is a condition; {{trigger: holds, condition: {{condition: {word}, …}}}} waits for it"
+        return f"'{word}' is a condition; {{trigger: holds, conditions: [{{{word}: …}}]}} waits for it"
     return f"'{word}' cannot stand here" if kind == where else f"'{word}' is of the kind {kind}: it stands in '{kind}s'"
 
 

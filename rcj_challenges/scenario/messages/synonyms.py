@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-_CHANCE = "chance is a draw: declare it under 'draws' and ask for it with {condition: drawn}"
+_CHANCE = "chance is a draw: declare it under 'draws' and ask for it with {draw: NAME, equals: VALUE}"
 _COUNT = "a counter changes by {action: count, counter: NAME, by: 1}; to: 0 sets it"
 _SCORE = "points are given by {action: score, entrant: NAME, points: 1}"
 _EVERY = "every 5 s is {trigger: time_reached, at_s: 5, every_s: 5}"
@@ -48,21 +48,21 @@ _WORDS: dict[str, dict[str, str]] = {
         "broadcast tell send": "what programs receive is in the section 'broadcast'",
     },
     "condition": {
-        "and": "did you mean 'all_of'?",
+        "and all_of": "conditions in a list must all hold; in any_of a list may stand too",
         "or": "did you mean 'any_of'?",
         "not none_of": "the opposite of a condition is the same one with negate: true",
-        "score points": "a score is read like a counter: {condition: counter, counter: ENTRANT}",
+        "score points": "a score is compared with {score: ENTRANT, at_least: 3}",
         "phase state": "write 'phases' beside 'conditions': a rule is inactive in all others",
         "time clock elapsed": "did you mean 'timer', of one with starts: true?",
-        "frozen hold": "did you mean 'held'?",
+        "frozen hold": "did you mean {entity: NAME, held: true}?",
         "tells said": "did you mean 'told'?",
-        "inside in within": "did you mean 'in_zone'?",
-        "outside out": "did you mean 'in_zone', with negate: true?",
+        "inside in within": "did you mean {entity: NAME, in: ZONE}?",
+        "outside out": "did you mean {entity: NAME, in: ZONE, negate: true}?",
         "near close": "did you mean 'distance', with at_most?",
         "stopped still moving": "did you mean 'speed'?",
-        "facing heading": "did you mean 'looks'?",
+        "facing heading": "did you mean {entity: NAME, looks: NAME}?",
         "touched touching possession": "did you mean 'last_touch'?",
-        "free empty occupied": "did you mean 'spot_free'? Of a zone: 'in_zone' with negate: true",
+        "free empty occupied": "did you mean 'spot_free'? Of a zone: {entity: NAME, in: ZONE, negate: true}",
         "random chance": _CHANCE,
     },
     "shape": {

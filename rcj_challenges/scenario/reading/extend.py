@@ -70,12 +70,13 @@ class Source:
     @classmethod
     def of_data(cls, data: Mapping[str, Any], shown: str) -> Source:
         """Wrap plain data; everything in it stands at the same place: the data as a whole."""
-        return cls(_mapping(_wrapped(data, Mark(shown))), shown)
+        tree = _mapping(_wrapped(data, Mark(shown)))
+        to_version_2(tree)
+        return cls(tree, shown)
 
 
 def _mapping(node: Node) -> Entries:
     if isinstance(node, Entries):
-        to_version_2(node)
         return node
     found = "a list" if isinstance(node, Items) else "nothing" if node.value is None else "a single value"
     help_ = "a scenario is a mapping of sections: schema_version, id, title, …"
@@ -114,6 +115,8 @@ def read_chain(source: Source) -> list[Source]:
             raise _refused(mark, f"a file cannot extend itself: {files}")
         _refuse_newer(base)
         chain.append(base)
+    for at, part in enumerate(chain):
+        to_version_2(part.tree, [base.tree for base in chain[at + 1 :]])
     return chain[::-1]
 
 

@@ -5,7 +5,7 @@ This is the only module that knows how version 1 was written. Where nothing chan
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
 
@@ -15,27 +15,56 @@ _OF_ALL = {"counter": "sum", "flag": "highest", "timer": "highest"}
 """What was read of something that is kept for several, without ``entity``."""
 
 
-def to_version_2(tree: Entries) -> None:
-    """Bring a file of version 1, or one that names no version, to version 2."""
+def to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> None:
+    """Bring a file of version 1, or one that names no version, to version 2; ``bases``: what it extends."""
     version = tree.entries.get("schema_version")
     if version is not None and not (isinstance(version, Leaf) and version.value == 1 and version.value is not True):
         return
     if version is not None:
         tree.put("schema_version", Leaf(2, version.mark), tree.key_marks["schema_version"])
+    trees = (tree, *bases)
     for rule in _entries(tree.entries.get("rules")).values():
-        _Rule(rule, tree).convert()
+        _Rule(rule, trees).convert()
+    for node in _mappings(tree):
+        _convert_value(node, trees)
+
+
+def _convert_value(node: Entries, trees: Sequence[Entries]) -> None:
+    """A score was read like a counter, or as a word; that a robot is held had a key of its own."""
+    name = "" if "action" in node.entries else _text(node, "counter")
+    if name and not _defines(trees, "counters", name) and _defines(trees, "entrants", name):
+        _rename(node, counter="score")
+    elif _text(node, "word") == "score" and "of" in node.entries:
+        node.drop("word")
+        _rename(node, of="score")
+    elif set(node.entries) == {"held"} and _text(node, "held"):
+        _rename(node, held="entity")
+        node.put("held", Leaf(value=True, mark=node.mark), node.mark)
+
+
+def _defines(trees: Sequence[Entries], section: str, name: str) -> bool:
+    return any(name in _entries(tree.entries.get(section)) for tree in trees)
+
+
+def _rename(node: Entries, **keys: str) -> None:
+    """Give keys their new names, in their places."""
+    renamed = {keys.get(key, key): (inner, node.key_marks[key]) for key, inner in node.entries.items()}
+    for key in list(node.entries):
+        node.drop(key)
+    for key, (inner, mark) in renamed.items():
+        node.put(key, inner, mark)
 
 
 class _Rule:
     """Converts a rule."""
 
-    def __init__(self, rule: Node, tree: Entries) -> None:
+    def __init__(self, rule: Node, trees: Sequence[Entries]) -> None:
         self._rule = rule
-        self._tree = tree
+        self._trees = trees
         self._group = _text(rule, "for_each")
 
     def convert(self) -> None:
-        """Convert amounts, and limits of comparisons."""
+        """Convert amounts, conditions and what they compare with."""
         for node in _mappings(self._rule):
             keys = _ACTIONS.get(_text(node, "action"), ())
             for key in keys:
@@ -44,6 +73,10 @@ class _Rule:
                 self._bound(node, key)
             if keys:
                 _limit_amount(node, keys)
+            if "condition" in node.entries and _text(node, "trigger") != "holds":
+                _convert_condition(node)
+        for node in _mappings(self._rule):
+            _flatten(node)
 
     def _amount(self, action: Entries, key: str) -> None:
         amount = action.entries.get(key)
@@ -78,8 +111,11 @@ class _Rule:
         return part
 
     def _is_kept_per(self, kind: str, name: str) -> bool:
-        entry = _entries(self._tree.entries.get(f"{kind}s")).get(name)
-        return bool(_text(entry, "per"))
+        return bool(self._per(f"{kind}s", name))
+
+    def _per(self, section: str, name: str) -> str:
+        entries = (_entries(tree.entries.get(section)).get(name) for tree in self._trees)
+        return next((_text(entry, "per") for entry in entries if entry is not None), "")
 
     def _bound(self, node: Entries, key: str) -> None:
         """``{lowest: COUNTER}`` is among all others in a rule for each that keeps the counter, else among all."""
@@ -89,10 +125,63 @@ class _Rule:
             if not counter or not isinstance(bound, Entries):
                 continue
             entries: dict[str, Node] = {"counter": bound.entries[word]}
-            per = _text(_entries(self._tree.entries.get("counters")).get(counter), "per")
-            if self._group and per in ("", self._group):
+            if self._group and self._per("counters", counter) in ("", self._group):
                 entries["entity"] = Leaf("others", bound.mark)
             node.put(key, _mapping(bound.mark, **{word: _mapping(bound.mark, **entries)}), node.key_marks[key])
+
+
+_KEYS = {
+    "in_zone": {"zone": "in"}, "looks": {"towards": "looks", "heading_rad": "looks"}, "speed": {"entity": "speed"},
+    "way": {"entity": "way"}, "drawn": {}, "last_touch": {"entity": "last_touch", "by": "equals"},
+    "told": {"entity": "told"}, "sequence_at": {"step": "equals"}, "spot_free": {"spot": "spot_free"},
+    "any_of": {"conditions": "any_of"}, "counter": {}, "flag": {}, "timer": {}, "held": {}, "half": {}, "distance": {},
+    "all_of": {},
+}  # fmt: skip
+"""By condition of version 1: keys that have other names now."""
+
+
+def _convert_condition(node: Entries) -> None:
+    word, mark = _text(node, "condition"), node.mark
+    if word not in _KEYS:
+        return
+    node.drop("condition")
+    if word == "last_touch" and "entity" not in node.entries:
+        node.put("entity", Leaf("ball", mark), mark)
+    _rename(node, **_KEYS[word])
+    if word == "held":
+        node.put("held", Leaf(value=True, mark=mark), mark)
+    elif word == "half":
+        node.put("word", Leaf("halftime", mark), mark)
+    elif word == "distance" and {"entity", "to"} <= node.entries.keys():
+        ends = Items([node.entries["entity"], node.entries["to"]], mark)
+        _rename(node, entity="distance")
+        node.put("distance", ends, mark)
+        node.drop("to")
+    elif word == "all_of" and isinstance(several := node.entries.get("conditions"), Items):
+        node.drop("conditions")
+        node.put("any_of", Items([several], several.mark), mark)
+
+
+def _flatten(node: Entries) -> None:
+    """Conditions that must all hold stand in a list; ``holds`` has a list of them."""
+    waited_for = node.entries.get("condition")
+    if isinstance(waited_for, Entries):
+        _rename(node, condition="conditions")
+        node.put("conditions", Items(_all_of(waited_for) or [waited_for], waited_for.mark), waited_for.mark)
+    for key in ("conditions", "any_of"):
+        listed = node.entries.get(key)
+        for at, one in reversed(list(enumerate(listed.items if isinstance(listed, Items) else ()))):
+            inner = _all_of(one)
+            if inner and isinstance(listed, Items):
+                listed.items[at : at + 1] = inner if key == "conditions" else [Items(inner, one.mark)]
+
+
+def _all_of(node: Node) -> list[Node]:
+    """Return the conditions of which all must hold; none if it is something else."""
+    several = _entries(node).get("any_of")
+    is_one_list = set(_entries(node)) == {"any_of"} and isinstance(several, Items) and len(several.items) == 1
+    inner = several.items[0] if isinstance(several, Items) and is_one_list else None
+    return inner.items if isinstance(inner, Items) else []
 
 
 def _limit_amount(action: Entries, keys: tuple[str, ...]) -> None:

@@ -67,27 +67,27 @@ class Phrasebook:
         return plain(name) if is_proper else f"the {plain(name)}"
 
     def any_of(self, names: Names) -> str:
-        parts = [f"one of {self._group(one)}" if self._several(one) else self._one(one) for one in as_tuple(names)]
+        parts = [f"one of {self._group(one)}" if self.is_several(one) else self._one(one) for one in as_tuple(names)]
         return listed(parts, "or")
 
     def another_of(self, names: Names, than: Names) -> str:
-        return "another of them" if names == than and self._several(as_tuple(names)[0]) else self.any_of(names)
+        return "another of them" if names == than and self.is_several(as_tuple(names)[0]) else self.any_of(names)
 
     def all_of(self, names: Names) -> Subject:
         if isinstance(names, str) and self.roster.is_others(names):
             own = self.roster.expand(self.each or ())[:1]
             where = " on the field" if own and own[0] in self.roster.entities else ""
             return Subject(f"all others{where}", plural=True)
-        parts = [self._group(name) if self._several(name) else self._one(name) for name in as_tuple(names)]
-        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(as_tuple(names)[0]))
+        parts = [self._group(name) if self.is_several(name) else self._one(name) for name in as_tuple(names)]
+        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self.is_several(as_tuple(names)[0]))
 
     def each_of(self, names: str) -> str:
         """Return the ones that a rule is repeated for: ``each of the robots``; of a group of one its only member."""
-        return f"each of {self._group(names)}" if self._several(names) else self._one(names)
+        return f"each of {self._group(names)}" if self.is_several(names) else self._one(names)
 
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
         row = as_tuple(names)
-        if len(row) == 1 and not self._several(row[0]):
+        if len(row) == 1 and not self.is_several(row[0]):
             return Subject(self._one(row[0]), negated=negate != (of == "none"))
         several = self.all_of(names).text
         if isinstance(of, HowMany):
@@ -99,7 +99,7 @@ class Phrasebook:
     def point(self, at: Any, measured_from: Any = None) -> str:
         if not isinstance(at, str):
             return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
-        if not self._several(at):
+        if not self.is_several(at):
             return self._one(at)
         own = {one for name in as_tuple(measured_from or ()) for one in self.may_be(name)} & set(self.may_be(at))
         return f"the nearest {'other one ' if own else ''}of {self._group(at)}"
@@ -186,7 +186,7 @@ class Phrasebook:
 
     def owners(self, kind: str, name: str) -> str | None:
         per = self.keepers(kind, name)
-        return per if per is not None and self._several(per) else None
+        return per if per is not None and self.is_several(per) else None
 
     def one_of_owners(self, kind: str, name: str) -> str | None:
         per = self.keepers(kind, name)
@@ -246,7 +246,7 @@ class Phrasebook:
         named = f" ({listed([self.thing(one) for one in among], 'or')})" if len(among) <= _MAX_NAMED else ""
         return f"the {kind} {drawn}{named}"
 
-    def _several(self, name: str) -> bool:
+    def is_several(self, name: str) -> bool:
         return self.roster.is_others(name) or len(self.roster.expand(name)) > 1
 
     def _one(self, name: str) -> str:

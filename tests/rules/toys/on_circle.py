@@ -23,7 +23,7 @@ rules:
     actions: [{action: place, entity: ball, at: {on_circle: middle_yellow, radius_m: 0.1}}]
   near:
     triggers: [{trigger: time_reached, at_s: 2}]
-    conditions: [{condition: distance, entity: ball, to: middle_yellow, at_least: 0.099, at_most: 0.101}]
+    conditions: [{distance: [ball, middle_yellow], at_least: 0.099, at_most: 0.101}]
     actions: [{action: emit, event: NEAR}]
 expect:
   it_lies_on_the_circle:

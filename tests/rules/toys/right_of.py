@@ -1,6 +1,6 @@
 """A condition that the package does not have."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, described
@@ -11,15 +11,15 @@ from rcj_challenges.rules.refs import ENTITY
 class RightOf(Condition):
     """Whether an entity is further to the right than a line along the field."""
 
-    condition: Literal["right_of"]
-    entity: Annotated[Name, ENTITY] = described(..., "which")
-    x_m: float = described(..., "x of the line in m")
+    right_of: float = described(..., "x of the line in m")
+    whom: Annotated[Name, ENTITY] = described(..., "which")
 
+    KEY = "right_of"
     EXAMPLE = """
 rules:
   goal_from_the_right:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{condition: right_of, entity: ball, x_m: 0.05}]
+    conditions: [{right_of: 0.05, whom: ball}]
     actions: [{action: score, entrant: yellow}]
 expect:
   only_the_second_one_counts:
@@ -33,9 +33,9 @@ expect:
 
     def test(self, to: Binder) -> Test:
         """Return whether the entity is to the right of the line."""
-        state, entity, x_m = to.state, to.entity(self.entity), self.x_m
+        state, entity, x_m = to.state, to.entity(self.whom), self.right_of
         return lambda: state.poses[entity][0] > x_m
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
-        return f"{phrases.thing(self.entity)} is {'not ' * self.negate}more than {metres(self.x_m)} to the right"
+        return f"{phrases.thing(self.whom)} is {'not ' * self.negate}more than {metres(self.right_of)} to the right"

@@ -1,21 +1,14 @@
-"""The condition ``half``."""
+"""What is particular to the condition ``word``."""
 
-from typing import Literal
+from rcj_challenges.rules.base import Phrases
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.values.word import NumberWord
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
-from rcj_challenges.rules.fields import described
 
+class WordIs(Compared, NumberWord):
+    """A number of the match, such as the half that is being played, or the time."""
 
-class HalfIs(Condition):
-    """Which half of the match is being played."""
-
-    condition: Literal["half"]
-    at_least: int | None = described(None, "holds in this half and later ones", ge=1)
-    at_most: int | None = described(None, "holds in this half and earlier ones", ge=1)
-    equals: int | None = described(None, "holds in this half only", ge=1)
-
-    EXCLUDES = (("equals", ("at_least", "at_most")),)
-    REQUIRES = (("at_least",), ("at_most",), ("equals",))
+    VALUE = NumberWord
     EXAMPLE = """
 match: {halves: 2, half_s: 60}
 rules:
@@ -25,7 +18,7 @@ rules:
   late_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     # From the second half on, a goal gives one point more.
-    conditions: [{condition: half, at_least: 2}]
+    conditions: [{word: halftime, at_least: 2}]
     actions: [{action: score, entrant: yellow}]
 expect:
   in_the_first_half_a_goal_is_one_point:
@@ -42,18 +35,16 @@ expect:
 
     def is_always(self) -> bool:
         """Return whether it holds at any time: in some half, as rules say it that count time."""
-        return self.at_least == 1 and self.at_most is None and not self.negate
+        return self._is_plain_half() and self.at_least == 1 and len(self.limits()) == 1 and not self.negate
 
-    def test(self, to: Binder) -> Test:
-        half = to.state.half.half
-        is_now = (
-            (self.at_least is None or half >= self.at_least)
-            and (self.at_most is None or half <= self.at_most)
-            and (self.equals is None or half == self.equals)
-        )
-        return lambda: is_now
+    def _is_plain_half(self) -> bool:
+        limits = [limit for _, limit in self.limits()]
+        is_half = self.word == "halftime" and not self.value.is_computed()
+        return is_half and all(isinstance(limit, int) for limit in limits) and self.above is None and self.below is None
 
     def describe(self, phrases: Phrases) -> str:
+        if not self._is_plain_half():
+            return super().describe(phrases)
         if self.at_least is not None and self.at_least == self.at_most:
             which = f"half {self.at_least}"
         elif self.at_least is not None and self.at_most is not None:

@@ -1,6 +1,6 @@
-"""The condition ``drawn``."""
+"""The condition ``draw``."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Scalar, described
@@ -8,23 +8,23 @@ from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import DRAW, DrawnValue
 
 
-class Drawn(Condition):
+class DrawIs(Condition):
     """The value of a draw."""
 
-    condition: Literal["drawn"]
     draw: Annotated[Name, DRAW] = described(..., "a draw")
     equals: Annotated[Scalar, DrawnValue()] = described(
         ...,
         "the required value; each: the name of the for_each member; other: the name of the touched thing",
     )
 
+    KEY = "draw"
     EXAMPLE = """
 draws:
   target: {values: [blue_goal, yellow_goal], not_last: true}
 rules:
   hit_blue:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{condition: drawn, draw: target, equals: blue_goal}]
+    conditions: [{draw: target, equals: blue_goal}]
     actions:
       - {action: score, entrant: yellow}
       - {action: draw, draw: target}

@@ -1,6 +1,6 @@
-"""The condition ``sequence_at``."""
+"""The condition ``sequence``."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
@@ -10,25 +10,23 @@ from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import ENTITIES, SEQUENCE, Ref
 
 
-class SequenceAt(Condition):
+class SequenceIs(Condition):
     """Which step a sequence has reached."""
 
-    condition: Literal["sequence_at"]
     sequence: Annotated[Name, SEQUENCE] = described(..., "a sequence")
     entity: Annotated[Names | None, ENTITIES] = described(
         None,
-        "for a sequence kept per entity: which entity; each: the current member; if omitted and "
-        "there is no for_each: "
-        "any of them; "
-        "with `of` also a group or a list",
+        "for a sequence kept per entity: which entity, a group or a list; each: the current member; if omitted and "
+        "there is no for_each: any of them",
     )
     of: Quantifier | None = described(
         None, "how many members of a group must be at that step; without entity: of all members"
     )
-    step: Annotated[Name, Ref("zone or gate", frozenset({"zone", "gate"}), each=True)] = described(
+    equals: Annotated[Name, Ref("zone or gate", frozenset({"zone", "gate"}), each=True)] = described(
         ..., "the zone or gate reached last, or each"
     )
 
+    KEY = "sequence"
     EXAMPLE = """
 zones:
   west: {shape: rect, x_max_m: -0.3}
@@ -39,7 +37,7 @@ rules:
   two_are_on_their_way:
     triggers: [{trigger: touches, entity: robots, other: ball}]
     # `of` sets how many must be at that step; `entity: Y1` would test Y1 alone.
-    conditions: [{condition: sequence_at, sequence: across, step: west, of: {at_least: 2}}]
+    conditions: [{sequence: across, equals: west, of: {at_least: 2}}]
     actions: [{action: score, entrant: yellow}]
 expect:
   with_only_one_on_its_way_a_touch_gives_nothing:
@@ -56,7 +54,7 @@ expect:
     def test(self, to: Binder) -> Test:
         trackers = to.sequences(self.sequence)
         everyone = tuple(trackers.values())
-        (step,) = to.members(self.step)
+        (step,) = to.members(self.equals)
 
         def test(whose: str | None) -> bool:
             asked = everyone if whose is None else (trackers[whose],)
@@ -65,7 +63,7 @@ expect:
         return test_of_kept(self, to, trackers, test)
 
     def describe(self, phrases: Phrases) -> str:
-        subject, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.step)
+        subject, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.equals)
         if subject is not None:
             return f"{subject.does('has', 'have')} a sequence {quoted(self.sequence)} that stands at {step}"
         stands = "does not stand" if self.negate else "stands"

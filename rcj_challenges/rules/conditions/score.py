@@ -1,0 +1,38 @@
+"""What is particular to the condition ``score``."""
+
+from rcj_challenges.rules.base import Phrases
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.phrasing import plain
+from rcj_challenges.rules.values.score import ScoreValue
+
+
+class ScoreIs(Compared, ScoreValue):
+    """The score of an entrant."""
+
+    VALUE = ScoreValue
+    EXAMPLE = """
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    # The first goal of a team that is behind counts twice.
+    conditions: [{score: yellow, below: {score: blue}}]
+    actions: [{action: score, entrant: yellow, points: 2}]
+expect:
+  behind_it_counts:
+    given: {score: {blue: 1}}
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    score: {yellow: 2, blue: 1}
+  else_it_does_not:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    score: {yellow: 0}
+"""
+    SENTENCE = "the score of yellow is less than the score of blue"
+
+    def describe(self, phrases: Phrases) -> str:
+        other = self.equals
+        if not isinstance(other, ScoreValue) or other.is_computed() or self.value.is_computed():
+            return super().describe(phrases)
+        scores = f"the scores of {plain(self.score)} and {plain(other.score)}"
+        return f"{scores} {'differ' if self.negate else 'are equal'}"
