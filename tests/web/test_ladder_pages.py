@@ -263,11 +263,12 @@ def test_results_that_are_read_while_a_match_ends_are_those_of_their_table(
     assert Results.model_validate(results()).table != published.table
 
 
-def test_match_that_cannot_be_played_is_voided_on_the_desk(ladder: list[Submission]) -> None:
+@pytest.mark.parametrize("kind", MatchKind.values)
+def test_match_that_cannot_be_played_is_voided_on_the_desk(ladder: list[Submission], kind: str) -> None:
     from tests.web.test_organizers import organizer
 
     match = Match.objects.get(number=1)
-    Match.objects.filter(pk=match.pk).update(played_at=None, blue_goals=None, yellow_goals=None)
+    Match.objects.filter(pk=match.pk).update(kind=kind, played_at=None, blue_goals=None, yellow_goals=None)
     with jobs.writing():
         seasons.enqueue(match, "ladder", NOW)
     Job.objects.update(state=JobState.STUCK)

@@ -257,6 +257,29 @@ def test_after_a_change_of_versions_all_is_played_again_while_the_old_table_stay
     assert Match.objects.count() == 5
 
 
+def test_match_that_is_voided_while_all_is_played_again_does_not_count_then_either(
+    site: SiteConfig, basis: Basis, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from tests.web.test_organizers import organizer
+
+    one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
+    first, second = add(basis, (one, other), (other, one))
+    Match.objects.update(played_at=NOW, digest="1" * 64, blue_goals=1, yellow_goals=0)
+    monkeypatch.setattr(seasons, "own_versions", lambda: {**basis.versions, "numpy": "99"})
+    season = Season.objects.get()
+    seasons.rebase(season, NOW)
+    new = seasons.current_basis(season)
+    assert new is not None
+    assert fill(new) == 2
+    with jobs.writing():
+        (practice,) = seasons.add_matches(new, MatchKind.PRACTICE, [(one, other)], NOW)
+    assert practice.number == first.number
+    organizer().post(f"/desk/matches/{first.pk}/void", {"reason": "the ball was lost"})
+    assert [one.number for one in seasons.open_rated(new)] == [second.number]
+    assert Match.objects.get(basis=new, kind=MatchKind.RATED, number=first.number).void == "the ball was lost"
+    assert Match.objects.filter(void="").count() == 3
+
+
 def test_season_that_ends_plays_no_more(site: SiteConfig, basis: Basis) -> None:
     one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
     played, _ = add(basis, (one, other), (other, one))

@@ -81,6 +81,16 @@ def test_few_practice_matches_of_a_team_wait_at_a_time(own: Submission) -> None:
     assert Match.objects.filter(number=5).exists()
 
 
+def test_page_of_practice_loads_itself_again_only_while_a_match_waits(own: Submission) -> None:
+    client = client_of(own)
+    play(client, Submission.objects.filter(via="sample")[0])
+    shown = client.get("/my/practice").content.decode()
+    assert ('http-equiv="refresh"' in shown, shown.count("waiting</td>")) == (True, 1)
+    Match.objects.update(void="a team was deleted")
+    shown = client.get("/my/practice").content.decode()
+    assert ('http-equiv="refresh"' in shown, shown.count("waiting"), shown.count("void</span>")) == (False, 0, 1)
+
+
 def test_practice_goes_before_the_ladder_and_ends_with_the_season(site: SiteConfig, own: Submission) -> None:
     accepted(site, "Other", "# other\n" + PLAYER)
     (basis,) = Basis.objects.all()

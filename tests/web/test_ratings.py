@@ -152,15 +152,16 @@ def test_a_program_without_opponents_has_no_rank() -> None:
     assert standings(fit([], {}), "") == []
 
 
-def test_programs_that_are_placing_have_no_rank_and_take_none() -> None:
-    truth, results = ladder(1, 4, 200)
-    few = [Result("new", "000", 1, 0)] * (PLACEMENTS - 1)
+@pytest.mark.parametrize(("others", "needed"), [(2, 2), (4, 4), (8, PLACEMENTS), (12, PLACEMENTS)])
+def test_programs_that_are_placing_have_no_rank_and_take_none(others: int, needed: int) -> None:
+    truth, results = ladder(1, others, 200)
+    few = [Result("new", "000", 1, 0)] * (needed - 1)
     programs = {**dict.fromkeys(truth), "new": None}
     table = standings(fit([*results, *few], programs), programs)
     assert [(r.digest, r.low, r.high) for r in table if r.rank is None] == [("new", None, None)]
-    assert [r.rank for r in table if r.rank is not None] == [1, 2, 3, 4]
-    placed = standings(fit([*results, *few, few[0]], programs), programs)
-    assert [r.rank for r in placed] == [1, 2, 3, 4, 5]
+    assert [r.rank for r in table if r.rank is not None] == list(range(1, others + 1))
+    placed = standings(fit([*results, *few, Result("new", "000", 1, 0)], programs), programs)
+    assert [r.rank for r in placed] == list(range(1, others + 2))
 
 
 def test_the_best_of_a_small_club_has_the_first_rank_although_nobody_knows_how_good_it_is() -> None:

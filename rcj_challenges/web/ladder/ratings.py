@@ -26,7 +26,7 @@ FIRST_SD = 250 / POINTS
 NEXT_SD = 150 / POINTS
 """Standard deviation of a team's next program around its last one, in log-odds."""
 PLACEMENTS = 8
-"""Matches that each program plays before it has a rank."""
+"""Matches that each program plays before it has a rank; in a small club as many as it has opponents."""
 _DRAWS = 2000
 _DRAWS_SEED = 20_260_101
 _MAX_STEPS = 100
@@ -138,7 +138,8 @@ def standings(fitted: Fit, shown: Collection[str]) -> list[Rating]:
     rows = [i for i, digest in enumerate(fitted.digests) if digest in shown]
     values = {i: fitted.value_of(fitted.digests[i]) for i in rows}
     sds = dict(zip(rows, _centred_sds(fitted, rows), strict=True))
-    ranked = [i for i in rows if fitted.games[i] >= PLACEMENTS]
+    needed = min(PLACEMENTS, max(1, len(rows) - 1))
+    ranked = [i for i in rows if fitted.games[i] >= needed]
     intervals = dict(zip(ranked, _rank_intervals(fitted, ranked), strict=True))
     ratings = []
     for i in sorted(rows, key=lambda i: (-values[i], fitted.digests[i])):

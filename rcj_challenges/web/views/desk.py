@@ -19,7 +19,7 @@ from rcj_challenges.web.accounts import Viewer, invite, write_audit
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
-from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Match, MatchKind, Role, Season, Team, Worker
+from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Match, Role, Season, Team, Worker
 from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.views.guards import only
 
@@ -72,13 +72,15 @@ def change_season(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
 
 @only("organizer", post=True)
 def void_match(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
-    """Let a rated match not count, for a reason that all can read."""
-    found = get_object_or_404(Match, pk=pk, kind=MatchKind.RATED)
+    """Let a match not count, for a reason that all can read."""
+    found = get_object_or_404(Match.objects.select_related("basis"), pk=pk)
     reason = sanitize(request.POST.get("reason", "").strip(), 200)
     if not reason:
         return message_page(request, 400, gettext("No reason"), gettext("Write why the match does not count."))
     with jobs.writing():
-        seasons.void(Match.objects.filter(pk=pk), reason)
+        # All may be played again at this time: then the match is there twice.
+        same = Match.objects.filter(basis__season=found.basis.season_id, kind=found.kind, number=found.number)
+        seasons.void(same, reason)
         write_audit(viewer, "void match", f"match {found.number}", reason, timezone.now())
     return redirect("desk") if found.played_at is None else redirect("match", pk=pk)
 
