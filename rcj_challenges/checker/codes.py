@@ -109,7 +109,7 @@ Leave out what is not needed.""")
 SOURCES_UNREAD = Code("sources.unread", level="warning", page="""
 The Python files have more than 192 kB, counting identical ones once; the rest is not checked.
 Leave out what is not needed.""")
-SOURCES_REFUSED_MODULE = Code("sources.refused_module", page="""
+SOURCES_REFUSED_MODULE = Code("sources.refused_module", level="warning", page="""
 A program imports a module for something that a match refuses: the network, other programs, windows.
 Play without it; an import that is not used does no harm.""")
 SOURCES_PASSED_OVER = Code("sources.passed_over", level="warning", page="""

@@ -90,7 +90,7 @@ class FileReport(_Part):
 
     file: str = _described("name of the file or folder, with its parent folders if another one has the same name")
     level: Level = _described(
-        "the verdict: passed, warning (it plays, but look at the findings), failure, "
+        "the verdict: passed, warning (it plays, but look at the findings), error, "
         "or unchecked (nothing is known: the check itself could not be carried out)"
     )
     cause: str = _described("what to fix first and how, in one line; empty if everything is in order", default="")
@@ -285,20 +285,20 @@ def _by_hand_first(found: Sequence[Diagnostic]) -> Diagnostic | None:
 
 def verdict(file: FileReport) -> str:
     """Return the verdict in one or two sentences: what follows, what --fix repairs, and what to do first."""
-    failures, warnings = file.count("error"), file.count("warning")
+    errors, warnings = file.count("error"), file.count("warning")
     if file.level == "unchecked":
         whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
-        known = f" What failed before ({counted(failures, 'error')}) stands." if failures else ""
+        known = f" What failed before ({counted(errors, 'error')}) stands." if errors else ""
         return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
     warned = f", {counted(warnings, 'warning')}" if warnings else ""
     found = [one for stage in file.stages for one in stage.findings if one.level == file.level != "passed"]
     repairable = sum(finding.repair for finding in found)
     amount = "this" if repairable == len(found) else "part of this"
     fix = f"; --fix OUT.zip repairs {amount}" if repairable else ""
-    if failures:
+    if errors:
         cause = _by_hand_first(found) or found[0]
         first = f" First: {cause.help or cause.message}"
-        return f"It cannot play like this: {counted(failures, 'error')}{warned}{fix}.{first}"
+        return f"It cannot play like this: {counted(errors, 'error')}{warned}{fix}.{first}"
     if any(stage.skipped for stage in file.stages):
         return f"In order as far as it was checked{warned}{fix}."
     return f"It will play{warned}{fix}."

@@ -49,7 +49,7 @@ _NOT_LOOKED_INTO = (codes.SOURCES_LARGE, codes.SOURCES_TOO_MANY_IMPORTS, codes.S
 def check_sources(team: Team) -> Stage:
     """Check the Python files of a team without running them.
 
-    Failures are reported for what a program certainly runs when it is started, by itself or by importing; for all else
+    Errors are reported for what a program certainly runs when it is started, by itself or by importing; for all else
     warnings: the stages that run it decide.
     """
     files = dict(team.files)
@@ -301,12 +301,12 @@ def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) 
 def _in_order(found: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Return the most serious first, at most as many as are readable.
 
-    Warnings are left out where there is a failure of the kind: one program certainly gets there, another may not.
+    Warnings are left out where there is an error of the kind: one program certainly gets there, another may not.
     """
-    failures = [finding for finding in found if finding.level == "error"]
-    fatal = {(finding.where, finding.code) for finding in failures}
+    errors = [finding for finding in found if finding.level == "error"]
+    fatal = {(finding.where, finding.code) for finding in errors}
     warnings = [finding for finding in found if finding.level != "error" and (finding.where, finding.code) not in fatal]
-    ordered = [*failures, *warnings]
+    ordered = [*errors, *warnings]
     left_out = len(ordered) - _MAX_FINDINGS
     if left_out <= 0:
         return ordered

@@ -33,7 +33,7 @@ def main() -> None:
 
 
 def _write_code(error: RcjError) -> None:
-    sys.stdout.write(json.dumps({"code": error.code}))
+    sys.stdout.write(json.dumps({"code": error.code or ""}))
     sys.stdout.flush()
 
 

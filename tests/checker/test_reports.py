@@ -245,6 +245,8 @@ def test_the_page_is_whole_and_loads_nothing(tmp_path):
     style = page.partition("<style>")[2].partition("</style>")[0]
     assert base64.b64encode(hashlib.sha256(style.encode()).digest()).decode() in policy
     assert all(word in page for word in ("it broke", "mend it", "crash", "prefers-color-scheme: dark"))
+    badges = {value for _, key, value in tags.attributes if key == "class" and value.startswith("badge ")}
+    assert all(f".{name}" in style for badge in badges for name in badge.split()), "each has its colours"
 
 
 def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):

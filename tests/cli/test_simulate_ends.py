@@ -121,3 +121,16 @@ def test_lifeline_of_a_match_is_not_its_standard_input() -> None:
             assert process.stdout.read().strip() == b"''"
         finally:
             process.kill()
+
+
+FAILS = """
+from rcj_challenges.cli import child
+from rcj_challenges.core.errors import RcjError
+child.command = lambda on_error: on_error(RcjError("no code"))
+child.main()
+"""
+
+
+def test_an_error_without_a_code_has_an_empty_one_for_the_parent() -> None:
+    done = subprocess.run([sys.executable, "-c", FAILS], input=b"", capture_output=True, check=False, timeout=60)
+    assert json.loads(done.stdout) == {"code": ""}

@@ -342,7 +342,7 @@ for device in (emitter, receiver):
     "what goes wrong again and again is printed ten times and then now and then, each thing for itself": (
         (
             "for _ in range(100): other.setVelocity(float('nan'))\n"
-            "for n in range(22): robot.getDevice(f'camera {n % 2}')\n"
+            "for n in range(22): robot.getDevice(n % 2)\n"
         ),
         [
             *[NAN] * 10,
@@ -352,7 +352,7 @@ for device in (emitter, receiver):
                 :19
             ],
             "(printed 10 times; from now on only the 100th time, the 1000th and so on)",
-            f'Warning: "camera 1" device not found. This robot has: {", ".join(INDEX)}.',
+            f'Warning: "1" device not found. This robot has: {", ".join(INDEX)}.',
             "(printed 10 times; from now on only the 100th time, the 1000th and so on)",
         ],
     ),

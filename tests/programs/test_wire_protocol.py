@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.programs.pipes import FrameBuffer
 from rcj_challenges.programs.processes import PROGRAM_SIDE
-from rcj_challenges.programs.protocol import Codec, Ended, ProtocolError, hello_frame
+from rcj_challenges.programs.protocol import Codec, Ended, ProtocolError, hello_frame, max_frame_bytes
 from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, Packet, Request, RobotSpec
 
 sys.path.insert(0, str(PROGRAM_SIDE))  # before the package of the same name that editors read
@@ -213,6 +213,18 @@ def test_notes_of_another_form_break_the_protocol(notes: bytes) -> None:
     body = struct.pack("<BI", 0x4E, len(notes)) + notes + body_of(sent_by_program(0, GOOD))
     with pytest.raises(ProtocolError):
         CODEC.decode(body, 0)
+
+
+@pytest.mark.parametrize("character", ["a", "\0", "\N{GRINNING FACE}", "\ud800"])
+def test_the_notes_of_a_program_never_make_a_frame_too_long(character: str) -> None:
+    connection, wire = program_end(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])))
+    for number in range(200):
+        connection.note(f"Warning: {number} {character * 500}", "no-device", character * 500, "correct this call")
+    connection.exchange(32)
+    assert len(body_of(wire.asked)) <= max_frame_bytes(message_bytes=0)
+    codec = Codec(SPEC, MESSAGE_BYTES)
+    assert isinstance(codec.decode(body_of(wire.asked), 0), Request)
+    assert codec.notes
 
 
 def test_more_notes_than_the_module_sends_break_the_protocol() -> None:

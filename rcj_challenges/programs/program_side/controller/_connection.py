@@ -52,7 +52,7 @@ _TRIMMED_EVERY_BYTES = 1 << 19  # that arrive: of thousands of ticks, if packets
 _PRINTED_TIMES = 10
 """How often one complaint is printed; then only the 100th, the 1000th: an error in each step of a half occurs 18750
 times, and would hide the program's own output."""
-_MAX_NOTES, _MAX_NOTE_CHARACTERS = 100, 400
+_MAX_NOTES, _MAX_NOTE_CHARACTERS = 30, 150  # whatever the characters are, all fit into one frame
 _MAX_TICKS = 2**31 - 1
 _MAX_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
 

@@ -170,7 +170,7 @@ def with_notes(notes: list[tuple[str, str, str, str]], frame: bytes) -> bytes:
     """Return a request or fault that brings notes: code, subject, what is wrong, what to do. Empty: nothing follows."""
     import json  # noqa: PLC0415 - only for a mistake: each import costs every program
 
-    text = json.dumps(notes).encode()
+    text = json.dumps(notes, ensure_ascii=False).encode("utf-8", "replace")
     body = frame[_LENGTH.size :]
     return _NOTES.pack(_NOTES.size - 4 + len(text) + len(body), NOTES, len(text)) + text + body
 

@@ -109,7 +109,7 @@ def device_of(connection: Connection, name: str, kind: str) -> Any:
     there = connection.devices.get(name)
     if there is None:
         has = ", ".join(connection.devices)
-        complain(f'Warning: "{name}" device not found. This robot has: {has}.', code="no-device", subject=name)
+        complain(f'Warning: "{name}" device not found. This robot has: {has}.', code="no-device", subject=f"{name}")
     elif kind not in [base.__name__ for base in type(there).__mro__]:
         complain(f'Warning: "{name}" is a {type(there).__name__}, not a {kind}.')
         return None
