@@ -348,7 +348,7 @@ for device in (emitter, receiver):
             *[NAN] * 10,
             "(printed 10 times; from now on only the 100th time, the 1000th and so on)",
             *(NAN, "(this is the 100th time)"),
-            *[f'Warning: "camera {n % 2}" device not found. This robot has: {", ".join(INDEX)}.' for n in range(20)][
+            *[f'Warning: "{n % 2}" device not found. This robot has: {", ".join(INDEX)}.' for n in range(20)][
                 :19
             ],
             "(printed 10 times; from now on only the 100th time, the 1000th and so on)",
