@@ -10,10 +10,14 @@ from dataclasses import replace
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
+from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.conditions.several import as_one
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
 from rcj_challenges.scenario.rule_effects import for_other, names_other
 from rcj_challenges.tracking.bound_rules import BoundRule
+from rcj_challenges.tracking.state import Clock
+from rcj_challenges.tracking.timers import RunsWhile
 
 
 def assemble(context: CompileContext) -> None:
@@ -30,6 +34,17 @@ def assemble(context: CompileContext) -> None:
         rule.rank = rank
     for *_, rule in bound:
         _compile(rules[rule.name], rule, context)
+    for name, timer in context.scenario.timers.items():
+        if timer.while_ is not None:
+            _run_while(as_one(timer.while_), context.state.timers[name], timer.per, context)
+
+
+def _run_while(condition: Condition, clocks: dict[str | None, Clock], per: str | None, context: CompileContext) -> None:
+    """Let the clocks of a timer run while a condition holds, each for its owner."""
+    for owner, clock in clocks.items():
+        binder = RuleBinder(context, BoundRule("", owner, None, None, 0, None, ""), per)
+        test = condition.compile(binder)
+        context.track_alone(RunsWhile(context.state, context.hits, clock, test, context.trackers.reschedule), None)
 
 
 def _members(rule: Rule, context: CompileContext) -> tuple[str | None, ...]:
@@ -64,7 +79,7 @@ def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext
 def _compile(model: Rule, rule: BoundRule, context: CompileContext) -> None:
     if rule.other is not None:
         model = for_other(model, rule.other)
-    binder = RuleBinder(context, rule)
+    binder = RuleBinder(context, rule, model.for_each)
     for position, trigger in enumerate(model.triggers):
         binder.bind(position, trigger)
     rule.tests = tuple(condition.compile(binder) for condition in model.conditions)

@@ -26,9 +26,9 @@ _T = TypeVar("_T", bound=Tracker)
 class RuleBinder(NameScope):
     """Implements `Binder` for one rule."""
 
-    def __init__(self, context: CompileContext, rule: BoundRule) -> None:
+    def __init__(self, context: CompileContext, rule: BoundRule, for_each: str | None) -> None:
         super().__init__(context.state, context.contacts, rule.each, context.names)
-        self.for_each = context.scenario.rules[rule.name].for_each
+        self.for_each = for_each
         self._context = context
         self.rule = rule
         self.hits = context.hits

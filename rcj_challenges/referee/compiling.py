@@ -71,8 +71,10 @@ class CompileContext:
             for owner in clocks:
                 self.set_length(name, owner)
 
-    def length_s(self, lasts_s: Lasts, owner: str | None = None) -> float | None:
+    def length_s(self, lasts_s: Lasts | None, owner: str | None = None) -> float | None:
         """Return the length in s that a timer or a phase has by now; None: it has none."""
+        if lasts_s is None:
+            return None
         read = self._lengths.get((lasts_s, owner))
         if read is None:
             scope = NameScope(self.state, self.contacts, owner, self.names)

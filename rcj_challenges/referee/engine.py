@@ -318,7 +318,7 @@ class Referee:
         self._clock_runs = model.clock == "runs"
         self._waiting = model.waiting_for_kickoff
         self._state.held.by_phase = model.robots == "held"
-        lasts_s = None if model.lasts_s is None else self._context.length_s(model.lasts_s)
+        lasts_s = self._context.length_s(model.lasts_s)
         self._phase_ends = NEVER if lasts_s is None else self._state.tick + ticks_from_s(lasts_s)
 
     # --- placements ---------------------------------------------------------------------------------------------------

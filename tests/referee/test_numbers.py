@@ -95,6 +95,18 @@ rules:
         assert play.output.broadcast == {"far": None, "twice": None}
 
 
+class TestSent:
+    def test_every_number_may_be_sent(self, stage):
+        fields = (
+            "{most: {highest: {counter: laps}}, sum: {sum: [0.1, 0.2]}, here: {count: yellow}, score: {score: blue}, "
+        )
+        fields += "twice: {counter: laps, entity: Y1, times: 2}, no_one: {lowest: [{speed: ball}]}}"
+        counters = "counters: {laps: {per: robots, initial: 3}}\n"
+        play = stage(SECOND, counters, f"broadcast: {{fields: {fields}}}", at_tick_10(OFF % "ball"))
+        play.play(12)
+        assert play.output.broadcast == {"most": 3, "sum": 0.3, "here": 2, "score": 0, "twice": 6, "no_one": None}
+
+
 class TestSeveral:
     LAPS = "{action: count, counter: laps, entity: Y1, to: 8}"
 

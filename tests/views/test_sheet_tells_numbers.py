@@ -110,6 +110,7 @@ rules:
     actions:
       - {action: hold, entity: Y1}
       - {action: release, entity: Y1}
+      - {action: timer, timer: watch, do: add, s: 4}
       - {action: count, counter: laps, to: {timer: watch, entity: Y1}}
 """
 

@@ -118,6 +118,11 @@ def _of_one(_maker: Maker, data: Data) -> None:
     data.pop("of", None)
 
 
+def _lengthens(_maker: Maker, data: Data) -> None:
+    if "s" in data or data.get("do") == "add":
+        data |= {"do": "add", "s": data.get("s", 2)}
+
+
 def _told_is(maker: Maker, data: Data) -> None:
     _one_bound(maker, data)
     if any(key in data for key in _BOUNDS):
@@ -253,7 +258,7 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     Count: _both(_kept_each("counter"), _bounded, _count),
     SetFlag: _kept_each("flag"),
     ToggleFlag: _kept_each("flag"),
-    TimerAction: _kept_each("timer"),
+    TimerAction: _both(_kept_each("timer"), _lengthens),
     SequenceAction: _kept_each("sequence"),
     DrawAction: _drawn("as"),
     SequenceCompleted: _kept_each("sequence"),

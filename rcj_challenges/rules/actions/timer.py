@@ -2,24 +2,31 @@
 
 from typing import Annotated, Literal
 
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import WHOSE, WRITTEN_TIMER
+from rcj_challenges.rules.values import Amount, compile_duration, duration_words
 from rcj_challenges.tracking.state import Clock
 
 
 class TimerAction(Action):
-    """Start, stop or reset a timer."""
+    """Start, stop, reset or lengthen a timer."""
 
     action: Literal["timer"]
     timer: Annotated[Name, WRITTEN_TIMER] = described(..., "the timer")
     entity: Annotated[Name | None, WHOSE] = described(
         None, "for a timer kept per entity: which entity, or each; if omitted: all of them"
     )
-    do: Literal["restart", "start", "stop", "reset"] = described(
-        "restart", "restart: start from 0; start: continue; stop: pause; reset: stop and return to 0"
+    do: Literal["restart", "start", "stop", "reset", "add"] = described(
+        "restart",
+        "restart: start from 0; start: continue; stop: pause; reset: stop and return to 0; add: `s` more to run",
+    )
+    s: Amount | None = described(
+        None, "with add: how many s longer it lasts until it starts from 0 again; 0 or less, or no such number: none"
     )
 
+    TOGETHER = (("s", "do", "add"),)
     EXAMPLE = """
 timers: {stopwatch: {lasts_s: 10, starts: true}}
 rules:
@@ -43,11 +50,17 @@ expect:
     def compile(self, to: Binder) -> Act:
         state, do, timer = to.state, self.do, self.timer
         clocks, whose = state.timers[timer], to.whose(self.entity)
+        longer_s = None if self.s is None else compile_duration(self.s, to)
         chosen = tuple(clocks.items()) if whose is None else ((whose, clocks[whose]),)
 
-        def change(owner: str | None, clock: Clock) -> None:
+        def change(owner: str | None, clock: Clock, more_s: float) -> None:
             elapsed = clock.ticks(state.tick)
-            if do == "restart" or (do == "start" and clock.since is None and elapsed == 0):
+            if do == "add":
+                # What has run out stands at its end, and goes on from there.
+                clock.elapsed, clock.since = elapsed, None if clock.since is None else state.tick
+                clock.length_s += more_s
+                clock.length += ticks_from_s(more_s)
+            elif do == "restart" or (do == "start" and clock.since is None and elapsed == 0):
                 to.set_length(timer, owner)
                 clock.elapsed, clock.since = 0, state.tick
             elif do == "reset":
@@ -57,9 +70,10 @@ expect:
             elif clock.since is None and elapsed < clock.length:
                 clock.since = state.tick
 
-        def act(_firing: Firing) -> None:
+        def act(firing: Firing) -> None:
+            more_s = 0.0 if longer_s is None else longer_s(firing) or 0.0
             for owner, clock in chosen:
-                change(owner, clock)
+                change(owner, clock, more_s)
             to.timers_changed()
 
         return act
@@ -70,5 +84,6 @@ expect:
             "start": "starts or goes on, unless it has run out",
             "stop": "is stopped",
             "reset": "is stopped and set to 0",
+            "add": f"lasts {'' if self.s is None else duration_words(phrases, self.s)} longer",
         }[self.do]
         return f"{phrases.every_kept('timer', self.timer, self.entity)} {done}"

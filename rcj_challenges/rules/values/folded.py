@@ -5,6 +5,7 @@ from typing import Annotated
 
 from pydantic import Field
 
+from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.rules.values.number import NUMBERS, Amount, NumberValue, amount_words, read_number
@@ -20,6 +21,15 @@ Several = Annotated[ValueWord | tuple[Amount, ...], _SEVERAL]
 
 class FoldedValue(NumberValue):
     """One number of several, which passes over none."""
+
+    def as_it_is(self, to: Scope) -> Reader:
+        read = self.measure(to)
+
+        def rounded(firing: Firing) -> Number | None:
+            value: Number | None = read(firing)
+            return None if value is None else round_score(value)
+
+        return rounded
 
     def measure(self, to: Scope) -> Reader:
         read_all = self._read_all(to)

@@ -53,7 +53,7 @@ class NeverWritten(LintRule, code="never-written"):
         for section, (action, verb) in self._ACTIONS.items():
             for name, entry in getattr(ctx.scenario, section).items():
                 is_written = any(use.reference.is_written for use in _uses_of(name, section, ctx))
-                if _is_read(name, section, ctx) and not is_written and not getattr(entry, "starts", False):
+                if _is_read(name, section, ctx) and not is_written and not _runs_by_itself(entry):
                     yield self.at((section, name), noun=section[:-1], name=name, action=action, verb=verb)
 
 
@@ -129,6 +129,10 @@ class InheritedTestLeftOut(LintRule, code="inherited-test-left-out"):
             place = place_of(first)
             reason = f"{place.file}:{place.line}: {first.message}"
             yield self.at((), count=len(ctx.loaded.left_out), names=", ".join(ctx.loaded.left_out), reason=reason)
+
+
+def _runs_by_itself(entry: object) -> bool:
+    return bool(getattr(entry, "starts", False) or getattr(entry, "while_", None))
 
 
 def _uses_of(name: str, section: str, ctx: LintContext) -> list[Use]:

@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import Name, Scalar, Strict, described
 from rcj_challenges.rules.refs import KEEPERS, MEMBERS, ONE_ENTITY, PHASE, STEP
 from rcj_challenges.rules.values import Lasts
@@ -61,17 +62,24 @@ class Flag(Strict):
 
 
 class Timer(Strict):
-    """A clock that rules start and stop; it expires once when it reaches its length."""
+    """A clock that rules start and stop, or that runs while conditions hold; it expires once, at its length."""
 
-    lasts_s: Lasts = described(
-        ...,
-        "its length in s, read when the timer starts from 0 (at least one tick; without such a number it runs on); "
-        "with per, each is the member",
+    lasts_s: Lasts | None = described(
+        None,
+        "its length in s, read when the timer starts from 0 (at least one tick); with per, each is the member; if "
+        "omitted, or without such a number, it runs on",
     )
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own timer"
     )
     starts: bool = described(False, "True: it runs from the start of the half")
+    while_: tuple[AnyCondition, ...] | None = Field(
+        None,
+        alias="while",
+        strict=False,
+        min_length=1,
+        description="conditions: it runs while they all hold, and only then; with per, each is the member",
+    )
 
 
 class AnyStep(Strict):

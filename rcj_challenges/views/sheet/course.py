@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter as Tally
 from collections.abc import Iterator
 
+from rcj_challenges.rules.conditions.several import as_one
 from rcj_challenges.rules.effects import Draws
 from rcj_challenges.rules.phrasing import listed, number, quoted, quoted_measure, seconds
 from rcj_challenges.rules.values import duration_words, is_calculated, value_words
@@ -53,7 +54,9 @@ def _phase_words(phrases: Phrasebook, name: str, phase: Phase) -> str:
 def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
     one_for_each = f"; there is one for {phrases.each_of(timer.per)}" if timer.per else ""
     starts = "; it starts with the half" if timer.starts else ""
-    return f"The timer {quoted(name)} lasts {duration_words(phrases, timer.lasts_s)}{one_for_each}{starts}."
+    lasts = "has no end" if timer.lasts_s is None else f"lasts {duration_words(phrases, timer.lasts_s)}"
+    held = "" if timer.while_ is None else f"; it runs while {as_one(timer.while_).describe(phrases)}"
+    return f"The timer {quoted(name)} {lasts}{one_for_each}{starts}{held}."
 
 
 def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) -> str:
