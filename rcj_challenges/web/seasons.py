@@ -56,7 +56,7 @@ def begin(season: Season, now: datetime) -> None:
         RcjError: its scenario cannot be played, or is not for two teams.
     """
     scenario, entrants = _kept_scenario(season)
-    samples = list(_kept_samples(entrants))
+    samples = list(_kept_samples(season.scenario, entrants))
     secret = secrets.token_hex(_SECRET_BYTES)
     pinned = {"begun_at": now, "secret": secret, "secret_hash": published.secret_hash(secret)}
     with jobs.writing():
@@ -118,12 +118,18 @@ def _kept_scenario(season: Season) -> tuple[str, list[Entrant]]:
     return MatchPlace(current_site().folder).keep_scenario(loaded), list(loaded.scenario.entrants.values())
 
 
-def _kept_samples(entrants: Iterable[Entrant]) -> Iterator[tuple[str, str, int, str]]:
-    """Keep the sample teams that can play, for practice; yield name, hash and size of the archive, and digest."""
+def _kept_samples(scenario: str, entrants: Iterable[Entrant]) -> Iterator[tuple[str, str, int, str]]:
+    """Keep the sample teams that can play, for practice; yield name, hash and size of the archive, and digest.
+
+    One that has the name of a scenario is made for the robots of that one.
+    """
+    from rcj_challenges.scenario.resources import shipped_scenarios  # noqa: PLC0415 - as above
     from rcj_challenges.submissions.team import TeamError, open_team  # noqa: PLC0415 - as above
 
     blobs = Blobs(current_site().folder)
     for name, folder in match_samples().items():
+        if name in shipped_scenarios() and name != scenario:
+            continue
         with suppress(TeamError), open_team(folder, *entrants) as opened:
             received = blobs.incoming / f"sample-{name}"
             received.write_bytes(zipped(folder))

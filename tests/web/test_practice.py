@@ -52,6 +52,21 @@ def test_match_against_a_sample_team_is_played_and_does_not_count(site: SiteConf
     assert new_client().get(f"/matches/{match.pk}").status_code == 404
 
 
+def test_sample_teams_of_other_scenarios_are_no_opponents(own: Submission) -> None:
+    names = set(Submission.objects.filter(via="sample").values_list("team__name", flat=True))
+    assert names == {"All Sensors", "Ball Chaser", "Roles and Radio"}  # not that of match_2021, whose robots differ
+
+
+def test_both_teams_see_their_practice(site: SiteConfig, own: Submission) -> None:
+    other = accepted(site, "Open", "# open\n" + PLAYER)
+    clients = [client_of(own), client_of(other), client_of(accepted(site, "Third", "# third\n" + PLAYER))]
+    clients[1].post("/my/practice/allow", {"allow": "yes"})
+    assert play(clients[0], other) == 302
+    Match.objects.update(played_at=NOW, blue_goals=2, yellow_goals=1)
+    shown = [client.get("/my/practice").content.decode().count("2 : 1") for client in clients]
+    assert shown == [1, 1, 0]
+
+
 def test_opponents_are_samples_own_older_programs_and_teams_that_allow_it(site: SiteConfig, own: Submission) -> None:
     shy, open_ = accepted(site, "Shy", "# shy\n" + PLAYER), accepted(site, "Open", "# open\n" + PLAYER)
     older = Submission.objects.create(

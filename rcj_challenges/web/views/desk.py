@@ -30,8 +30,8 @@ def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
     now = timezone.now()
     values: dict[str, Any] = {
         "stuck": Job.objects.filter(state=JobState.STUCK).select_related("team", "match")[:50],
-        "running": Job.objects.filter(state=JobState.RUNNING).select_related("team")[:50],
-        "waiting": jobs.waiting(now).select_related("team")[:50],
+        "running": Job.objects.filter(state=JobState.RUNNING).select_related("team", "match")[:50],
+        "waiting": jobs.waiting(now).select_related("team", "match")[:50],
         "count": Job.objects.filter(state=JobState.QUEUED).count(),
         "workers": Worker.objects.filter(seen_at__gt=now - timedelta(days=1)).order_by("-seen_at"),
         "names": Team.objects.filter(is_name_public=False, deleted_at=None).select_related("group")[:100],

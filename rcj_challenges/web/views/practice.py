@@ -24,7 +24,8 @@ def practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     """Show the practice of a team, and whom it can play against."""
     season = Season.objects.filter(is_current=True, begun_at__isnull=False, ended_at=None).first()
     entry = Entry.objects.filter(team=viewer.team, season=season).select_related("active").first()
-    theirs = with_sides(Match.objects.filter(blue__team=viewer.team, kind=MatchKind.PRACTICE))
+    either = Q(blue__team=viewer.team) | Q(yellow__team=viewer.team)
+    theirs = with_sides(Match.objects.filter(either, kind=MatchKind.PRACTICE))
     values = {"season": season, "active": entry.active if entry else None, "matches": theirs[:_SHOWN],
               "opponents": _opponents(entry) if entry else ()}  # fmt: skip
     return page(request, "practice.html", viewer, **values)
