@@ -286,7 +286,7 @@ class _Check:
                 raise KeyboardInterrupt from error
             _raise_if_of_the_host(error)
             self._our_fault = True
-            message = f"the check itself stumbled at {name} ({type(error).__name__}: {sanitize(error, 120)})"
+            message = f"the check itself failed at {name} ({type(error).__name__}: {sanitize(error, 120)})"
             self._stages[name] = Stage(name, [Diagnostic(CHECK_BROKEN, message, _OUR_HELP)])
 
     def _match(self, match: Rehearsed) -> MatchReport:

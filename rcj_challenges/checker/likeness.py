@@ -13,8 +13,8 @@ BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 """What an empty file may consist of."""
 
 _LEAST_LIKENESS = 0.75
-_LEAST_LETTERS = 5
-_MANY_LETTERS = 9
+_LEAST_CHARACTERS = 5
+_MANY_CHARACTERS = 9
 """A name of this length is not part of another one by chance; ``robot`` is part of the names of three robots."""
 _MAX_IMPORT_BYTES = 16_384
 """Imports stand at the top of a file."""
@@ -36,11 +36,11 @@ def alike(name: str, wanted: str) -> bool:
     one, other = (re.sub(r"[\W_]", "", text.casefold()) for text in (name, wanted))
     if one == other:
         return True
-    if len(other) >= _MANY_LETTERS and not re.search(r"\d", other) and other in one:
+    if len(other) >= _MANY_CHARACTERS and not re.search(r"\d", other) and other in one:
         return True  # and what else there is counts the versions
     if re.findall(r"\d+", one) != re.findall(r"\d+", other):
         return False
-    if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):
+    if min(len(one), len(other)) >= _LEAST_CHARACTERS and (one in other or other in one):
         return True
     return similarity(one, other) >= _LEAST_LIKENESS
 

@@ -70,7 +70,7 @@ def describe_error(source: Source, content: bytes) -> tuple[Code, str, str]:
     if "null bytes" in message:
         return codes.SOURCES_NULL_BYTES, "there are zero bytes in the file: it is not text", _SAVE_AS_UTF8
     if any(words in message for words in ("codec can't decode", "encoding", "Non-UTF-8")):
-        return codes.SOURCES_ENCODING, f"the letters of the file cannot be read ({message})", _SAVE_AS_UTF8
+        return codes.SOURCES_ENCODING, f"the characters of the file cannot be read ({message})", _SAVE_AS_UTF8
     lines = content.splitlines()
     if 0 < source.line <= len(lines) and lines[source.line - 1].startswith(_LEFT_BY_GIT):
         help_ = "git found two versions here: keep one of them, and delete the lines <<<, === and >>>"

@@ -1,7 +1,7 @@
 r"""Makes untrusted text safe to show: characters that are invisible or move others are written as escapes.
 
 A name such as ``"\x1b[2J"`` or one with a right-to-left mark is data. On a terminal, in JSON and in HTML it appears as
-the same visible letters; HTML adds its own escaping where a page is written.
+the same visible characters; HTML adds its own escaping where a page is written.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _MARKS = frozenset({"Mn", "Me"})
 
 
 def sanitize(text: object, longest: int = MAX_CHARACTERS) -> str:
-    r"""Return text as one harmless line of at most ``longest`` letters.
+    r"""Return text as one harmless line of at most ``longest`` characters.
 
     Control characters, direction marks, line breaks, lone surrogates, private and unassigned characters become
     escapes that can be read (``\x1b``, ``\u202e``); a tower of accents ends after four.

@@ -25,7 +25,7 @@ from rcj_challenges.submissions.limits import (
     MAX_UNPACKED_BYTES,
 )
 from rcj_challenges.submissions.paths import (
-    MAX_PATH_LETTERS,
+    MAX_PATH_CHARACTERS,
     composed,
     folded,
     ignored,
@@ -198,7 +198,7 @@ def _from_folder(folder: Path) -> Contents:
             help_ = "is this the folder of the robot programs?"
             return _unreadable("folder", *troubles, Diagnostic(codes.ARCHIVE_TOO_MANY, message, help_))
         if relative in files:
-            message = f"{safe_text(relative)} is there twice, with letters composed and taken apart; one is left out"
+            message = f"{safe_text(relative)} is there twice, with characters composed and taken apart; one is left out"
             troubles.add(
                 Diagnostic(codes.ARCHIVE_COLLISION, message, "delete one", safe_text(relative), level="warning")
             )
@@ -316,7 +316,7 @@ class _ZipReading:
         """Refuse archives with too many folders; entries with too long names are refused one by one."""
         folders = _Folders()
         for entry in entries:
-            if len(entry.name) <= MAX_PATH_LETTERS:
+            if len(entry.name) <= MAX_PATH_CHARACTERS:
                 path = path_of(entry.name)
                 folders.add(path if entry.is_folder else path.parent)
 
@@ -413,7 +413,7 @@ class _ZipReading:
 
     def _without_records(self, entries: list[zip_reader.Entry]) -> list[zip_reader.Entry]:
         """Leave out records of runs, and report them: they get packed with a team's working folder."""
-        short = [entry for entry in entries if len(entry.name) <= MAX_PATH_LETTERS]  # others are refused as they are
+        short = [entry for entry in entries if len(entry.name) <= MAX_PATH_CHARACTERS]  # others are refused as they are
         files, folders = ([path_of(entry.name) for entry in short if entry.is_folder is kind] for kind in (False, True))
         records = record_folders(files, folders)
         for record in sorted(records):

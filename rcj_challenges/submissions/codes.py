@@ -135,8 +135,8 @@ IDENTITY_NAME_LONG = Code("identity.name_long", level="warning", repair="yes", p
 The team's name has more than 32 characters; the rest is not shown.
 Choose a shorter one. {_FIX}""")
 IDENTITY_NAME_UNSAFE = Code("identity.name_unsafe", level="warning", repair="yes", page=f"""
-The name has letters that cannot be printed.
-Use printable letters. {_FIX}""")
+The name has characters that cannot be printed.
+Use printable characters. {_FIX}""")
 IDENTITY_NAME_QUOTES = Code("identity.name_quotes", level="passed", page="""
 Quotation marks in team_name.txt are part of the name.""")
 IDENTITY_NAME_SIGNS = Code("identity.name_signs", level="passed", page="""

@@ -13,8 +13,8 @@ from rcj_challenges.core.files import is_device_of_windows
 from rcj_challenges.submissions import codes
 from rcj_challenges.submissions.problems import safe_text
 
-MAX_PATH_LETTERS = 160
-"""Windows takes 260 letters for a whole path; the private folder of a program needs up to 100 of them."""
+MAX_PATH_CHARACTERS = 160
+"""Windows takes 260 characters for a whole path; the private folder of a program needs up to 100 of them."""
 MAX_PART_BYTES = 255
 """Longest name of one file or folder on the file systems of Linux and macOS, in bytes of UTF-8."""
 
@@ -79,17 +79,17 @@ def path_of(name: str) -> PurePosixPath:
 
 
 def spelled_path_of(name: str) -> PurePosixPath:
-    """Return that path letter by letter as the archive spells it; some Windows tools write backslashes."""
+    """Return that path character by character as the archive spells it; some Windows tools write backslashes."""
     return PurePosixPath(name.replace("\\", "/"))
 
 
 def composed(name: str) -> PurePosixPath:
-    """Return a path with its letters composed, as programs write and import it; macOS takes them apart (o and ¨)."""
+    """Return a path with its characters composed, as programs write and import it; macOS takes them apart (o and ¨)."""
     return PurePosixPath(unicodedata.normalize("NFC", name))
 
 
 def folded(path: PurePosixPath) -> str:
-    """Return a key that is equal for paths that are one file on a computer that ignores case or composes letters."""
+    """Return a key that is equal for paths that are one file on a computer that ignores case or composes characters."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFD", str(path)).casefold())
 
 
@@ -107,10 +107,10 @@ def name_problems(name: str) -> Iterator[Diagnostic]:
         )
         name = _without_drive(name)
     mendable = path.suffix.casefold() != ".py"  # programs import each other by name
-    for code, message in _letter_problems(path_of(name), shown):
+    for code, message in _character_problems(path_of(name), shown):
         yield Diagnostic(code, message, _RENAME, shown, repair=mendable)
-    if len(str(path)) > MAX_PATH_LETTERS or any(len(_encoded(part)) > MAX_PART_BYTES for part in path.parts):
-        message = f"'{shown}' has too long a name: at most {MAX_PATH_LETTERS} letters with its folders"
+    if len(str(path)) > MAX_PATH_CHARACTERS or any(len(_encoded(part)) > MAX_PART_BYTES for part in path.parts):
+        message = f"'{shown}' has too long a name: at most {MAX_PATH_CHARACTERS} characters with its folders"
         yield Diagnostic(
             codes.ARCHIVE_NAME_LONG, message, "give files and folders shorter names", shown, repair=mendable
         )
@@ -120,15 +120,15 @@ def _without_drive(name: str) -> str:
     return name[2:] if _DRIVE.match(name) else name
 
 
-def _letter_problems(path: PurePosixPath, shown: str) -> Iterator[tuple[Code, str]]:
-    letters = frozenset(str(path))
-    if any(unicodedata.category(letter) in ("Cc", "Cf", "Zl", "Zp") for letter in letters):
+def _character_problems(path: PurePosixPath, shown: str) -> Iterator[tuple[Code, str]]:
+    characters = frozenset(str(path))
+    if any(unicodedata.category(character) in ("Cc", "Cf", "Zl", "Zp") for character in characters):
         yield codes.ARCHIVE_NAME_CONTROL, f"'{shown}' has control characters in its name"
-    if any("\ud800" <= letter <= "\udfff" for letter in letters):
+    if any("\ud800" <= character <= "\udfff" for character in characters):
         yield codes.ARCHIVE_NAME_ENCODING, f"'{shown}' is not a name in UTF-8"
-    if not letters.isdisjoint(_FORBIDDEN):
-        found = " ".join(sorted(letters & _FORBIDDEN))
-        yield codes.ARCHIVE_NAME_FORBIDDEN, f"'{shown}' has letters that Windows does not allow in a name ({found})"
+    if not characters.isdisjoint(_FORBIDDEN):
+        found = " ".join(sorted(characters & _FORBIDDEN))
+        yield codes.ARCHIVE_NAME_FORBIDDEN, f"'{shown}' has characters that Windows does not allow in a name ({found})"
     for part in path.parts:
         if part == "..":
             continue
@@ -142,20 +142,20 @@ def clean(name: str) -> PurePosixPath | None:
     """Return the nearest path inside the archive that every computer takes; None if nothing is left of it."""
     parts: list[str] = []
     given = path_of(_without_drive(name)).parts
-    for part in given if len(given) < MAX_PATH_LETTERS else given[-1:]:
+    for part in given if len(given) < MAX_PATH_CHARACTERS else given[-1:]:
         if part == "..":
             del parts[-1:]
         elif part.strip("/"):
             parts.append(_clean_part(part))
     path = PurePosixPath(*parts) if parts else None
-    if path is not None and len(str(path)) > MAX_PATH_LETTERS:
+    if path is not None and len(str(path)) > MAX_PATH_CHARACTERS:
         return _shortened(path)
     return path
 
 
 def _clean_part(part: str) -> str:
-    letters = ("_" if _odd(letter) else letter for letter in part)
-    cleaned = "".join(letters).rstrip(". ") or "_"
+    characters = ("_" if _odd(character) else character for character in part)
+    cleaned = "".join(characters).rstrip(". ") or "_"
     if is_device_of_windows(cleaned):
         cleaned = f"_{cleaned}"
     suffix = PurePosixPath(cleaned).suffix[:20]
@@ -168,14 +168,14 @@ def _clean_part(part: str) -> str:
 
 def _shortened(path: PurePosixPath) -> PurePosixPath | None:
     for candidate in (path, PurePosixPath(path.name)):
-        room = MAX_PATH_LETTERS - len(str(candidate.with_name("_"))) + 1 - len(candidate.suffix)
+        room = MAX_PATH_CHARACTERS - len(str(candidate.with_name("_"))) + 1 - len(candidate.suffix)
         if room > 0:
             return candidate.with_name(candidate.stem[:room].rstrip(". ") + candidate.suffix)
     return None
 
 
-def _odd(letter: str) -> bool:
-    return letter in _FORBIDDEN or unicodedata.category(letter) in ("Cc", "Cf", "Cs", "Zl", "Zp")
+def _odd(character: str) -> bool:
+    return character in _FORBIDDEN or unicodedata.category(character) in ("Cc", "Cf", "Cs", "Zl", "Zp")
 
 
 def _encoded(part: str) -> bytes:

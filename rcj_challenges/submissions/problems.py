@@ -17,7 +17,7 @@ MAX_OF_A_KIND = 10
 MAX_PATH_SHOWN = 1000
 """The path that was given on the command line is shown as it was given, unless it is absurd."""
 
-_MAX_LETTERS = 120
+_MAX_CHARACTERS = 120
 
 
 @dataclass
@@ -42,6 +42,6 @@ class Problems:
                 yield Diagnostic(code, more, first.help, repair=first.repair, level=first.level)
 
 
-def safe_text(name: object, longest: int = _MAX_LETTERS) -> str:
+def safe_text(name: object, longest: int = _MAX_CHARACTERS) -> str:
     """Return a strange name as one harmless line, shorter than `sanitize` makes it: several stand in one message."""
     return sanitize(str(name) if isinstance(name, Path) else name, longest)

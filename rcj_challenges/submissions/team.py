@@ -19,7 +19,7 @@ from rcj_challenges.submissions.archive import Contents, Files, TeamError, read_
 from rcj_challenges.submissions.codes import LAYOUT_MISSING
 from rcj_challenges.submissions.problems import MAX_PATH_SHOWN, safe_text
 from rcj_challenges.submissions.team_name import (
-    MAX_NAME_LETTERS,
+    MAX_NAME_CHARACTERS,
     NAME_FILE,
     TeamName,
     find_team_name,
@@ -28,7 +28,7 @@ from rcj_challenges.submissions.team_name import (
 )
 
 __all__ = [
-    "MAX_NAME_LETTERS", "Opening", "SuperTeam", "Team", "TeamError", "alternatives", "look_into", "open_team",
+    "MAX_NAME_CHARACTERS", "Opening", "SuperTeam", "Team", "TeamError", "alternatives", "look_into", "open_team",
     "safe_name",
 ]  # fmt: skip
 

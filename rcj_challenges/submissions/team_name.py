@@ -14,7 +14,7 @@ from rcj_challenges.submissions import codes
 from rcj_challenges.submissions.archive import Files
 from rcj_challenges.submissions.problems import safe_text
 
-MAX_NAME_LETTERS = 32
+MAX_NAME_CHARACTERS = 32
 """A team's name has at most 32 characters (reference, section 7)."""
 NAME_FILE = "team_name.txt"
 
@@ -76,11 +76,11 @@ def safe_name(text: str) -> str:
     Letters with accents are composed (ö, not o and ¨), so that they count as one.
     """
     printable = "".join(
-        letter if letter == _JOINER or unicodedata.category(letter)[0] != "C" else " "
-        for letter in unicodedata.normalize("NFC", text).translate(_BLANKS)
+        character if character == _JOINER or unicodedata.category(character)[0] != "C" else " "
+        for character in unicodedata.normalize("NFC", text).translate(_BLANKS)
     )
-    name = " ".join(printable.split())[:MAX_NAME_LETTERS].rstrip()
-    return name if any(letter != _JOINER and unicodedata.category(letter)[0] != "M" for letter in name) else ""
+    name = " ".join(printable.split())[:MAX_NAME_CHARACTERS].rstrip()
+    return name if any(character != _JOINER and unicodedata.category(character)[0] != "M" for character in name) else ""
 
 
 def _warning(code: Code, message: str, help_: str, *, repair: bool = True) -> Diagnostic:
@@ -124,7 +124,7 @@ def may_be_name_file(path: PurePosixPath) -> bool:
 
 
 def _near_stem(path: PurePosixPath) -> bool:
-    stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
+    stem = "".join(character for character in path.stem.casefold() if character.isalnum())
     return stem in _NEAR_STEMS or similarity(stem, "teamname") >= _LEAST_LIKENESS
 
 
@@ -136,7 +136,7 @@ def _decoded(content: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
     content = content[:_MAX_NAME_FILE_BYTES]
     marked = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     encoding = "utf-16" if marked else "utf-8-sig"
-    # What was cut off here, or ends in the middle of a letter of UTF-16, is not held against it.
+    # What was cut off here, or ends in the middle of a character of UTF-16, is not held against it.
     cut = len(content) == _MAX_NAME_FILE_BYTES or marked
     text = codecs.getincrementaldecoder(encoding)("replace").decode(content, final=not cut)
     troubles = []
@@ -145,8 +145,8 @@ def _decoded(content: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
         troubles.append(_note(codes.IDENTITY_NAME_UTF16, message, repair=True))
     elif "\ufffd" in text and "\ufffd".encode() not in content:
         # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
-        if any(letter > "\x7f" for letter in text.replace("\ufffd", "")):
-            message = f"{NAME_FILE} is not in UTF-8: letters that cannot be read are shown as \ufffd"
+        if any(character > "\x7f" for character in text.replace("\ufffd", "")):
+            message = f"{NAME_FILE} is not in UTF-8: characters that cannot be read are shown as \ufffd"
             troubles.append(_warning(codes.IDENTITY_NAME_ENCODING, message, "save it in UTF-8", repair=False))
         else:
             text = content.decode("cp1252", "replace")
@@ -170,17 +170,19 @@ def _line_problems(lines: list[str], name: str) -> list[Diagnostic]:
     if len(lines) > 1:
         message = f"{NAME_FILE} has several lines: the first is the name ({name})"
         found.append(_warning(codes.IDENTITY_NAME_LINES, message, "leave one line"))
-    if len(line) > MAX_NAME_LETTERS:
-        message = f"the name is longer than {MAX_NAME_LETTERS} letters and is shown as '{name}'"
+    if len(line) > MAX_NAME_CHARACTERS:
+        message = f"the name is longer than {MAX_NAME_CHARACTERS} characters and is shown as '{name}'"
         found.append(_warning(codes.IDENTITY_NAME_LONG, message, "choose a shorter one"))
-    if safe_name(line[:MAX_NAME_LETTERS]) != line[:MAX_NAME_LETTERS].rstrip():
-        message = f"the name in {NAME_FILE} has letters that cannot be seen; it is shown as '{name}'"
+    if safe_name(line[:MAX_NAME_CHARACTERS]) != line[:MAX_NAME_CHARACTERS].rstrip():
+        message = f"the name in {NAME_FILE} has characters that cannot be seen; it is shown as '{name}'"
         found.append(
-            _warning(codes.IDENTITY_NAME_UNSAFE, message, f"write it with at most {MAX_NAME_LETTERS} printable letters")
+            _warning(
+                codes.IDENTITY_NAME_UNSAFE, message, f"write it with at most {MAX_NAME_CHARACTERS} printable characters"
+            )
         )
     if name[0] in _QUOTES or name[-1] in _QUOTES:
         found.append(_note(codes.IDENTITY_NAME_QUOTES, f"the quotation marks are part of the name: {name}"))
-    elif any(letter in "./\\<>&!;:|" for letter in name):
+    elif any(character in "./\\<>&!;:|" for character in name):
         found.append(
             _note(codes.IDENTITY_NAME_SIGNS, f"the name is shown as it is, and no file is named after it: {name}")
         )

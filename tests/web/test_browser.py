@@ -263,7 +263,7 @@ def test_team_comes_from_its_card_to_its_rank_and_to_the_moment_of_its_fault(
     page.fill("#code", codes[name])
     page.get_by_role("button", name="Enter").click()
     hand_in(page, {"robot.py": LATE_CRASH.replace("Robot()", "Robot(") + f"# {name}"})
-    assert page.locator(".finding.failure code").inner_text().startswith("robot.py:")
+    assert page.locator(".finding.error code").inner_text().startswith("robot.py:")
     hand_in(page, {"main.py": f"{LATE_CRASH}# {name}"})
     page.get_by_role("button", name="Repair it").click()
     page.locator("text=Repaired:").locator("a").click(timeout=CHECK_MS)

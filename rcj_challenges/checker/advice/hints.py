@@ -46,7 +46,7 @@ _THREADS_ALONE = (
     "the program itself came to its end, and only its threads go on: let one of them call robot.step(32) in a loop, or "
     "keep that loop in the program itself"
 )
-_MAX_CODE_LETTERS = 80
+_MAX_CODE_CHARACTERS = 80
 _MAX_LOG_BYTES = 100_000  # at each end
 _PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,7})\b', re.MULTILINE)
 _NO_MODULE = re.compile(r"^ModuleNotFoundError: No module named '(?P<name>\w{1,100})")
@@ -163,4 +163,4 @@ def _timeout_hint(team: Team, whereabouts: str) -> Hint | None:
 def _code_at(files: Mapping[PurePosixPath, bytes], file: str, line: int) -> str:
     """Return the beginning of a line, counted from 1; empty if there is none."""
     lines = files.get(PurePosixPath(file.replace("\\", "/")), b"").splitlines()
-    return sanitize(lines[line - 1][:500].strip(), _MAX_CODE_LETTERS) if 0 < line <= len(lines) else ""
+    return sanitize(lines[line - 1][:500].strip(), _MAX_CODE_CHARACTERS) if 0 < line <= len(lines) else ""

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from rcj_challenges.core.sanitize import sanitize
 
-_MAX_GROUP_LETTERS = 80
+_MAX_GROUP_CHARACTERS = 80
 
 
 @dataclass(frozen=True)
@@ -144,6 +144,6 @@ def find_row(detail: str) -> Hint | None:
     """Return the hint of the first row that fits the last line of a traceback; None if none does."""
     for row, pattern in _COMPILED:
         if found := pattern.search(detail):
-            groups = {name: sanitize(text, _MAX_GROUP_LETTERS) for name, text in found.groupdict().items()}
+            groups = {name: sanitize(text, _MAX_GROUP_CHARACTERS) for name, text in found.groupdict().items()}
             return Hint(row.code, row.help.format(**groups))
     return None

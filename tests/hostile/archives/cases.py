@@ -138,7 +138,7 @@ SEEN: dict[str, Case] = {
     "name_file_of_no_bytes": Case(lambda: named(b""), "identity.name_empty", "warning", "is empty"),
     "name_empty": Case(lambda: named(b" \r\n"), "identity.name_empty", "warning", "is empty"),
     "name_too_long": Case(
-        lambda: named(b"The Extraordinarily Invincible Robots"), "identity.name_long", "warning", "longer than 32 letters", repair=True
+        lambda: named(b"The Extraordinarily Invincible Robots"), "identity.name_long", "warning", "longer than 32 characters", repair=True
     ),
     "name_of_several_lines": Case(
         lambda: named(b"Robo Cats\nof Prague\n"), "identity.name_lines", "warning", "(Robo Cats)", repair=True
