@@ -1,0 +1,53 @@
+"""The example designs of the workshop: each within its budget, by a program that a pupil can read, and better than chance."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from rcj_challenges.checker.designs import check_designs
+from rcj_challenges.cli.commands import app
+from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
+
+TEAMS = Path(__file__).resolve().parents[2] / "examples" / "teams"
+WORKSHOP = ("workshop_classic", "workshop_keeper", "workshop_striker")
+PROGRAM = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+AT_RANDOM = """import random
+from controller import Robot
+robot = Robot()
+motors = [robot.getDevice(f"{side} wheel motor") for side in ("left", "right")]
+for motor in motors:
+    motor.setPosition(float("inf"))
+while robot.step(320) != -1:
+    for motor in motors:
+        motor.setVelocity(random.uniform(-10, 10))
+"""
+
+
+@pytest.mark.parametrize("name", WORKSHOP)
+def test_a_design_is_within_the_budget_and_every_device_is_used(name):
+    loaded = load("workshop")
+    with open_team(TEAMS / name, *loaded.scenario.entrants.values()) as team:
+        stage = check_designs(team, loaded)
+    assert {finding.code for finding in stage.findings} == {"design.cost"}
+
+
+@pytest.mark.parametrize("name", WORKSHOP)
+def test_a_program_has_at_most_80_lines(name):
+    assert len((TEAMS / name / PROGRAM).read_text(encoding="utf-8").splitlines()) <= 80
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", WORKSHOP)
+def test_a_team_beats_robots_that_drive_at_random(tmp_path, name):
+    (tmp_path / "chance.py").write_text(AT_RANDOM, encoding="utf-8")
+    teams = ("--blue", str(TEAMS / name), "--yellow", str(tmp_path / "chance.py"))
+    record = ("--out", str(tmp_path / "runs"), "--json", "--no-replay")
+    done = CliRunner().invoke(app, ["run", "workshop", *teams, *record, "--seed", "1", "--duration", "90"])
+    result = json.loads(done.stdout)
+    assert result["faults"] == []
+    assert result["score"]["blue"] > result["score"]["yellow"]
