@@ -28,6 +28,7 @@ class Puppet:
     fault: Fault | None = None
     budget: Any = None
     fails_at: int = 10**9
+    notes: tuple[()] = ()
 
     @property
     def name(self) -> str:
