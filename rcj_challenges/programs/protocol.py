@@ -137,8 +137,8 @@ class Codec:
         """Keep the notes that a message brings; return the message itself."""
         try:
             _, size = _NOTES.unpack_from(body)
-            notes = [_note(*found) for found in json.loads(body[_NOTES.size : _NOTES.size + size])]
-        except (StructError, ValueError, TypeError, AttributeError, RecursionError):
+            notes = _notes(json.loads(body[_NOTES.size : _NOTES.size + size]))
+        except (StructError, ValueError, TypeError, RecursionError):
             raise ProtocolError("invalid notes") from None
         if len(self.notes) + len(notes) > MAX_NOTES:
             raise ProtocolError(f"more than {MAX_NOTES} notes")
@@ -280,6 +280,13 @@ def _other_than_request(body: bytes, tick: int) -> Ended:
     detail = body[_FAULT.size : _FAULT.size + size][:_MAX_TRACEBACK].decode("utf-8", "replace")
     trace = body[_FAULT.size + size :][-_MAX_TRACEBACK:].decode("utf-8", "replace")
     return Ended(FAULT_KINDS[kind], one_line(detail), _without_addresses(_printable(trace, keep="\n\t")))
+
+
+def _notes(given: Any) -> list[Note]:
+    are_lists = all(type(part) is list for part in (given, *given))
+    if not are_lists or any(type(text) is not str for texts in given for text in texts):
+        raise ValueError
+    return [_note(*texts) for texts in given]
 
 
 def _note(code: str, subject: str, message: str, help_: str) -> Note:

@@ -198,7 +198,9 @@ def test_the_match_receives_exactly_how_a_program_ended(kind: str, detail: str) 
         assert CODEC.decode(body, 0) == Ended(kind, detail, "line 1\n  line 2\n")
 
 
-@given(ticks, requests, st.lists(st.tuples(*[st.text(st.characters(min_codepoint=97, max_codepoint=122))] * 4), max_size=9))
+@given(
+    ticks, requests, st.lists(st.tuples(*[st.text(st.characters(min_codepoint=97, max_codepoint=122))] * 4), max_size=9)
+)
 def test_the_match_receives_a_request_and_the_notes_that_it_brings(
     tick: int, request: Request, notes: list[tuple[str, str, str, str]]
 ) -> None:
@@ -208,7 +210,21 @@ def test_the_match_receives_a_request_and_the_notes_that_it_brings(
     assert codec.notes == notes
 
 
-@pytest.mark.parametrize("notes", [b"[", b"1", b"[1]", b"[[1, 2]]", b'[["", "", "", 1]]', b"[" * 5000, b'[{"a": 1}]'])
+@pytest.mark.parametrize(
+    "notes",
+    [
+        b"[",
+        b"1",
+        b"[1]",
+        b"[[1, 2]]",
+        b'[["", "", "", 1]]',
+        b"[" * 5000,
+        b'[{"a": 1}]',
+        b'{"abcd": 1}',
+        b'["abcd"]',
+        b'[[["a"], "", "", ""]]',
+    ],
+)
 def test_notes_of_another_form_break_the_protocol(notes: bytes) -> None:
     body = struct.pack("<BI", 0x4E, len(notes)) + notes + body_of(sent_by_program(0, GOOD))
     with pytest.raises(ProtocolError):
