@@ -81,7 +81,7 @@ def void_match(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBas
         # All may be played again at this time: then the match is there twice.
         same = Match.objects.filter(basis__season=found.basis.season_id, kind=found.kind, number=found.number)
         seasons.void(same, reason)
-        write_audit(viewer, "void match", f"match {found.number}", reason, timezone.now())
+        write_audit(viewer, "void", found, reason, timezone.now())
     return redirect("desk") if found.played_at is None else redirect("match", pk=pk)
 
 
