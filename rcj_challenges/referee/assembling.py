@@ -11,7 +11,7 @@ from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.conditions.several import as_one
+from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
 from rcj_challenges.scenario.rule_effects import for_other, names_other

@@ -7,9 +7,9 @@ from pydantic import Field
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test, Trigger
 from rcj_challenges.rules.conditions import AnyCondition
-from rcj_challenges.rules.conditions.several import as_one
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, TickTracker

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter as Tally
 from collections.abc import Iterator
 
-from rcj_challenges.rules.conditions.several import as_one
 from rcj_challenges.rules.effects import Draws
 from rcj_challenges.rules.phrasing import listed, number, quoted, quoted_measure, seconds
+from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.rules.values import duration_words, is_calculated, value_words
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
