@@ -288,7 +288,7 @@ def test_team_comes_from_its_card_to_its_rank_and_to_the_moment_of_its_fault(
     assert not has_scripts or barriers(team.look()) == []
     log = page.locator("a[href*='/log/']").first.get_attribute("href")
     if has_scripts:
-        fault.get_by_role("link").click()
+        fault.get_by_role("link", name="half").click()
         page.wait_for_selector("body.ready", timeout=CHECK_MS)
         assert re.search(r"/replay#h[12]t9\d$", page.url)
         assert "late" in page.inner_text("body")
