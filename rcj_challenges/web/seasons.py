@@ -121,14 +121,14 @@ def _kept_scenario(season: Season) -> tuple[str, list[Entrant]]:
 def _kept_samples(scenario: str, entrants: Iterable[Entrant]) -> Iterator[tuple[str, str, int, str]]:
     """Keep the sample teams that can play, for practice; yield name, hash and size of the archive, and digest.
 
-    One that has the name of a scenario is made for the robots of that one.
+    One whose name begins with that of a scenario is made for the robots of that one.
     """
     from rcj_challenges.scenario.resources import shipped_scenarios  # noqa: PLC0415 - as above
     from rcj_challenges.submissions.team import TeamError, open_team  # noqa: PLC0415 - as above
 
     blobs = Blobs(current_site().folder)
     for name, folder in match_samples().items():
-        if name in shipped_scenarios() and name != scenario:
+        if max((one for one in shipped_scenarios() if name.startswith(one)), key=len, default=scenario) != scenario:
             continue
         with suppress(TeamError), open_team(folder, *entrants) as opened:
             received = blobs.incoming / f"sample-{name}"

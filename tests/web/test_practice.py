@@ -54,7 +54,7 @@ def test_match_against_a_sample_team_is_played_and_does_not_count(site: SiteConf
 
 def test_sample_teams_of_other_scenarios_are_no_opponents(own: Submission) -> None:
     names = set(Submission.objects.filter(via="sample").values_list("team__name", flat=True))
-    assert names == {"All Sensors", "Ball Chaser", "Roles and Radio"}  # not that of match_2021, whose robots differ
+    assert names == {"All Sensors", "Ball Chaser", "Roles and Radio"}  # other robots: match_2021, workshop
 
 
 def test_both_teams_see_their_practice(site: SiteConfig, own: Submission) -> None:
