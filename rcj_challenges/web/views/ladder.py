@@ -113,7 +113,7 @@ def match(request: HttpRequest, pk: int) -> HttpResponse:
 
 def _can_repeat(found: Match) -> bool:
     is_there = not (found.blue.is_deleted or found.yellow.is_deleted)
-    return is_there and found.basis.versions == seasons.own_versions()
+    return is_there and not found.is_doubtful and found.basis.versions == seasons.own_versions()
 
 
 def _own_robots(record: Path, own: list[str]) -> frozenset[tuple[int, str]]:
