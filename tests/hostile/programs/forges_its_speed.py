@@ -3,7 +3,7 @@
 #: holds = "the match checks all numbers"
 #: tick = 10
 #: ends = "protocol at 10"
-#: cause = "a velocity of nan rad/s"
+#: cause = "a velocity of nan"
 
 
 import arena
