@@ -132,5 +132,6 @@ child.main()
 
 
 def test_an_error_without_a_code_has_an_empty_one_for_the_parent() -> None:
-    done = subprocess.run([sys.executable, "-c", FAILS], input=b"", capture_output=True, check=False, timeout=60)
-    assert json.loads(done.stdout) == {"code": ""}
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+    with subprocess.Popen([sys.executable, "-c", FAILS], **pipes) as process:
+        assert json.loads(process.stdout.read()) == {"code": ""}
