@@ -42,7 +42,7 @@ class Scope(Protocol):
     def group(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         """Return all members that names may stand for, and a function that finds those for which they stand now.
 
-        ``others`` stands for those on the field, and for nobody while ``each`` is off the field.
+        ``others`` stands for those on the field, and for no entity while ``each`` is off the field.
         """
 
     def entities(self, names: Names) -> tuple[int, ...]:

@@ -8,7 +8,7 @@ from rcj_challenges.rules.values.folded import FoldedValue, Several
 
 
 class HighestValue(FoldedValue):
-    """The highest of several numbers; none of nobody."""
+    """The highest of several numbers; none if there are none."""
 
     highest: Several = described(
         ..., "a value that names a group or others, read of each of them; or a list of numbers"

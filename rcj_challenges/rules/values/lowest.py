@@ -8,7 +8,7 @@ from rcj_challenges.rules.values.folded import FoldedValue, Several
 
 
 class LowestValue(FoldedValue):
-    """The lowest of several numbers; none of nobody."""
+    """The lowest of several numbers; none if there are none."""
 
     lowest: Several = described(..., "a value that names a group or others, read of each of them; or a list of numbers")
 

@@ -1,7 +1,7 @@
 """Values that are numbers: what may stand beside each of them, and what none is.
 
 None is the number of what does not exist: the place of what is off the field, the message that never came, the lowest
-of nobody. Calculating with none gives none, unless ``otherwise`` stands there.
+of an empty group. Calculating with none gives none, unless ``otherwise`` stands there.
 """
 
 from collections.abc import Callable
@@ -43,7 +43,7 @@ class NumberValue(ValueWord):
     DIGITS: ClassVar[int | None] = None
 
     otherwise: Amount | None = described(
-        None, "the number where there is none: of what is off the field, was never sent, or belongs to nobody"
+        None, "the number where there is none: of what is off the field, or was never sent"
     )
     times: Amount | None = described(None, "times this number; none if either is none")
     plus: Amount | None = described(None, "plus this number; none if either is none")

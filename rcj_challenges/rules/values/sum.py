@@ -10,7 +10,7 @@ from rcj_challenges.rules.values.number import Term, amount_words, terms_of
 
 
 class SumValue(FoldedValue):
-    """The sum of several numbers, which passes over none; 0 of nobody."""
+    """The sum of several numbers, which passes over none; 0 if there are none."""
 
     sum: Several = described(..., "a value that names a group or others, read of each of them; or a list of numbers")
 
