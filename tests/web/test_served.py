@@ -7,7 +7,7 @@ import os
 import shutil
 import signal
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -39,7 +39,9 @@ def test_what_is_handed_in_is_checked_by_playing_and_then_plays(served: Served) 
     assert status == 201
     state = wait_for(served, code, receipt["id"])
     assert (state["state"], state["is_active"]) == ("accepted", True), state
-    assert served.submit(code, small_team())[1]["number"] == 2
+    status, receipt = served.submit(code, small_team())
+    assert receipt["number"] == 2
+    wait_for(served, code, receipt["id"])
 
 
 def check_processes(served: Served, *, players: bool = False) -> list[int]:
@@ -60,16 +62,22 @@ def check_processes(served: Served, *, players: bool = False) -> list[int]:
     return below if players else checks
 
 
+def wait_until(condition: Callable[[], bool]) -> None:
+    """Return when this holds, a minute from now at the latest."""
+    until = time.monotonic() + 60
+    while not condition():
+        assert time.monotonic() < until
+        time.sleep(0.02)
+
+
 def test_a_check_whose_process_is_killed_is_made_again_and_costs_the_team_nothing(served: Served) -> None:
     with use_site(served.config):
         _, code = make_team("Killed")
+    wait_until(lambda: not check_processes(served))  # that of an earlier check may still be ending
     status, receipt = served.submit(code, small_team("# another\n" + PLAYER))
     assert status == 201
-    until = time.monotonic() + 60
-    while not (found := check_processes(served)):
-        assert time.monotonic() < until
-        time.sleep(0.02)
-    for pid in found:
+    wait_until(lambda: bool(check_processes(served)))
+    for pid in check_processes(served):
         with contextlib.suppress(ProcessLookupError):
             os.kill(pid, signal.SIGKILL)
     assert wait_for(served, code, receipt["id"])["state"] == "accepted"
@@ -81,11 +89,8 @@ def test_a_check_whose_players_are_killed_ends_with_a_verdict(served: Served) ->
     with use_site(served.config):
         _, code = make_team("Killed players")
     receipt = served.submit(code, small_team("# one more\n" + PLAYER))[1]
-    until = time.monotonic() + 60
-    while not (found := check_processes(served, players=True)):
-        assert time.monotonic() < until
-        time.sleep(0.02)
-    for pid in found:
+    wait_until(lambda: bool(check_processes(served, players=True)))
+    for pid in check_processes(served, players=True):
         with contextlib.suppress(ProcessLookupError):
             os.kill(pid, signal.SIGKILL)
     assert wait_for(served, code, receipt["id"])["state"] in {"accepted", "rejected"}
