@@ -81,18 +81,7 @@ class SeasonAdmin(Base):
 class MatchAdmin(Listed):
     """All matches of ladders."""
 
-    list_display = (
-        "id",
-        "basis",
-        "kind",
-        "number",
-        "blue",
-        "yellow",
-        "played_at",
-        "blue_goals",
-        "yellow_goals",
-        "void",
-    )
+    list_display = ("basis", "kind", "number", "blue", "yellow", "played_at", "blue_goals", "yellow_goals", "void")
     list_filter = ("basis__season", "kind", "is_doubtful")
     list_select_related = ("basis__season", "blue__team", "yellow__team")
 

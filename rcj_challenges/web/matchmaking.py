@@ -10,8 +10,8 @@ from itertools import chain
 from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.ladder.pairing import Candidate, choose
-from rcj_challenges.web.ladder.ratings import Result, fit
-from rcj_challenges.web.models import Basis, Entry, Job, JobState, Match, MatchKind, Season, State, Submission
+from rcj_challenges.web.models import Basis, Job, JobState, Match, MatchKind, Season, Submission
+from rcj_challenges.web.tables import standings_of
 
 WAITING_PER_LANE = 4
 _KINDS = ("placement", "ladder")
@@ -19,38 +19,6 @@ _DAY, _WEEK = timedelta(days=1), timedelta(days=7)
 _HOUR_S = 3600.0
 _FIRST_LANE_S = 10.0
 """Expected time of a match as long as none has been played, in s."""
-
-
-def programs_of(season: Season) -> dict[str, str | None]:
-    """Return all programs that were accepted in a season, each with the one its team handed in before it."""
-    found: dict[str, str | None] = {}
-    last: dict[int, str] = {}
-    accepted = Submission.objects.filter(season=season, state=State.ACCEPTED).order_by("pk")
-    for team, digest in accepted.values_list("team", "digest"):
-        found.setdefault(digest, last.get(team))
-        last[team] = digest
-    return found
-
-
-def playing_now(season: Season) -> dict[str, list[Submission]]:
-    """Return the submissions that play now, by the digest of their programs."""
-    entries = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None).order_by("team")
-    found: dict[str, list[Submission]] = defaultdict(list)
-    for entry in entries.select_related("active__team__group").defer("active__report"):
-        assert entry.active is not None  # noqa: S101 - filtered
-        found[entry.active.digest].append(entry.active)
-    return dict(found)
-
-
-def results_of(basis: Basis) -> list[Result]:
-    """Return the results of a basis that count."""
-    rated = Match.objects.filter(basis=basis, kind=MatchKind.RATED, void="").order_by("number")
-    rows = rated.values_list("blue__digest", "yellow__digest", "blue_goals", "yellow_goals")
-    return [
-        Result(blue, yellow, blue_goals, yellow_goals)
-        for blue, yellow, blue_goals, yellow_goals in rows
-        if blue_goals is not None and yellow_goals is not None
-    ]
 
 
 def fill(lanes: int, now: datetime, fitting: Collection[int]) -> int:
@@ -88,10 +56,9 @@ def _add_again(basis: Basis, wanted: int, now: datetime) -> int:
 
 def _add_chosen(basis: Basis, wanted: int, now: datetime) -> int:
     before = Match.objects.filter(basis=basis).count()
-    playing = playing_now(basis.season)
+    playing = seasons.playing_now(basis.season)
     met, waiting = _met(basis)
-    fitted = fit(results_of(basis), programs_of(basis.season))
-    chosen = choose(fitted, _candidates(basis, playing, now), met, waiting, wanted)
+    chosen = choose(standings_of(basis).fitted, _candidates(basis, playing, now), met, waiting, wanted)
     with jobs.writing():
         # Another dispatcher may have chosen at the same time: then the next look at the queue decides.
         Season.objects.select_for_update().get(pk=basis.season_id)

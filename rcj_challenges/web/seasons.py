@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import secrets
 import shutil
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from datetime import datetime
@@ -20,7 +21,19 @@ from rcj_challenges.web.config import current_site
 from rcj_challenges.web.demo import match_samples, zipped
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.ladder import published
-from rcj_challenges.web.models import Basis, Group, Job, JobState, Match, MatchKind, Season, State, Submission, Team
+from rcj_challenges.web.models import (
+    Basis,
+    Entry,
+    Group,
+    Job,
+    JobState,
+    Match,
+    MatchKind,
+    Season,
+    State,
+    Submission,
+    Team,
+)
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant
@@ -47,6 +60,27 @@ def current_basis(season: Season) -> Basis | None:
 def shown_basis(season: Season) -> Basis | None:
     """Return the basis whose matches make the table."""
     return Basis.objects.filter(season=season, is_whole=True).first()
+
+
+def programs_of(season: Season) -> dict[str, str | None]:
+    """All programs that were accepted in a season, each with the one its team handed in before it."""
+    found: dict[str, str | None] = {}
+    last: dict[int, str] = {}
+    accepted = Submission.objects.filter(season=season, state=State.ACCEPTED).order_by("pk")
+    for team, digest in accepted.values_list("team", "digest"):
+        found.setdefault(digest, last.get(team))
+        last[team] = digest
+    return found
+
+
+def playing_now(season: Season) -> dict[str, list[Submission]]:
+    """The submissions that play now, by the digest of their programs."""
+    entries = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None).order_by("team")
+    found: dict[str, list[Submission]] = defaultdict(list)
+    for entry in entries.select_related("active__team__group").defer("active__report"):
+        assert entry.active is not None  # noqa: S101 - filtered
+        found[entry.active.digest].append(entry.active)
+    return dict(found)
 
 
 def begin(season: Season, now: datetime) -> None:

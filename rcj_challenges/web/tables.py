@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from django.db.models import Count, Q
 
-from rcj_challenges.web import matchmaking
+from rcj_challenges.web import seasons
 from rcj_challenges.web.ladder.published import PlayedMatch, Program, Results, fit_of, table_of
 from rcj_challenges.web.ladder.ratings import Fit
 from rcj_challenges.web.models import Basis, Match, MatchKind, State, Submission
@@ -39,13 +39,13 @@ def standings_of(basis: Basis) -> Standings:
     counts = matches.aggregate(played=Count("played_at"), void=Count("pk", filter=~Q(void="")))
     accepted = Submission.objects.filter(season=season, state=State.ACCEPTED).count()
     version = (season.title, season.secret_hash, season.ended_at, *counts.values(), accepted)
-    return _computed(basis, (*version, *sorted(matchmaking.playing_now(season))))
+    return _computed(basis, (*version, *sorted(seasons.playing_now(season))))
 
 
 @lru_cache(maxsize=2)
 def _computed(basis: Basis, _version: tuple[object, ...]) -> Standings:
     """Compute all from what is published: matches end meanwhile, and the table must be that of the same results."""
-    season, playing = basis.season, matchmaking.playing_now(basis.season)
+    season, playing = basis.season, seasons.playing_now(basis.season)
     played = Match.objects.filter(basis=basis, kind=MatchKind.RATED, played_at__isnull=False).order_by("number")
     columns = ("number", "seed", "blue__digest", "yellow__digest", "blue_goals", "yellow_goals", "digest", "void")
     matches = [
@@ -58,7 +58,7 @@ def _computed(basis: Basis, _version: tuple[object, ...]) -> Standings:
         secret=season.secret if season.ended_at is not None else None, matches=matches, table=[],
         programs=[
             Program(digest=digest, follows=before, plays=digest in playing)
-            for digest, before in matchmaking.programs_of(season).items()
+            for digest, before in seasons.programs_of(season).items()
         ],
     )  # fmt: skip
     fitted = fit_of(results)

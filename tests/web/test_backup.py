@@ -7,11 +7,12 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
-from rcj_challenges.web import dispatcher, jobs, matchmaking, seasons
+from rcj_challenges.web import dispatcher, jobs, seasons
 from rcj_challenges.web.backup import back_up, problems
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import SiteConfig, load_site
 from rcj_challenges.web.models import Basis, Job, JobState, Match, MatchKind, Submission
+from rcj_challenges.web.tables import standings_of
 from tests.checker.small_team import PLAYER
 from tests.web.conftest import COMMAND, NOW, Served, make_team, use_site
 from tests.web.test_matches import accepted, add, begun
@@ -55,7 +56,7 @@ def test_next_match_of_a_restored_site_is_played_and_ends_as_on_the_other(
             assert dispatcher.Dispatcher(site, lambda: NOW).do_next()
             digests.append({one.number: one.digest for one in Match.objects.all()})
             assert seasons.shown_basis(basis.season) == basis
-            assert len(matchmaking.results_of(basis)) == 2
+            assert len(standings_of(basis).published.matches) == 2
     assert digests[0] == digests[1]
     assert played.pk != waiting.pk
 

@@ -20,6 +20,7 @@ from rcj_challenges.web.blobs import Blobs, record_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.models import Basis, Entry, Job, JobState, Match, MatchKind, Season, State, Submission
+from rcj_challenges.web.tables import standings_of
 from tests.checker.small_team import PLAYER
 from tests.web.club import new_client
 from tests.web.conftest import NOW, make_team
@@ -387,7 +388,7 @@ def test_all_matches_are_queued_again_and_then_the_table_changes(
     assert fill(new, 1) == 4
     assert fill(new, 2) == 4
     assert seasons.shown_basis(season) == basis
-    assert len(matchmaking.results_of(basis)) == 8
+    assert len(standings_of(basis).published.matches) == 8
     Match.objects.filter(basis=new).update(played_at=NOW, blue_goals=0, yellow_goals=1)
     Job.objects.update(state=JobState.DONE)
     assert fill(new) == 0
@@ -411,7 +412,7 @@ def test_programs_that_follow_another_are_those_of_the_team_that_had_them_first(
     for team, digest in ((one, "a"), (other, "b"), (one, "c"), (other, "c"), (other, "d"), (one, "a"), (one, "e")):
         hand_over(team, digest)
     hand_over(one, "f", State.REJECTED)
-    assert matchmaking.programs_of(season) == {"a": None, "b": None, "c": "a", "d": "c", "e": "a"}
+    assert seasons.programs_of(season) == {"a": None, "b": None, "c": "a", "d": "c", "e": "a"}
 
 
 def test_organizer_begins_and_ends_the_ladder_on_the_desk(site: SiteConfig) -> None:

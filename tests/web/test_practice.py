@@ -9,6 +9,7 @@ import pytest
 from rcj_challenges.web import dispatcher, matchmaking, seasons
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.models import Basis, Entry, Job, JobState, Match, MatchKind, State, Submission
+from rcj_challenges.web.tables import standings_of
 from tests.checker.small_team import PLAYER
 from tests.web.club import new_client
 from tests.web.conftest import NOW
@@ -46,7 +47,7 @@ def test_match_against_a_sample_team_is_played_and_does_not_count(site: SiteConf
     match = Match.objects.get()
     assert (match.kind, match.played_at, match.blue, match.yellow) == (MatchKind.PRACTICE, NOW, own, sample)
     assert Job.objects.get().team == own.team  # its lane time is that of the team
-    assert matchmaking.results_of(Basis.objects.get()) == []
+    assert standings_of(Basis.objects.get()).published.matches == []
     assert client.get(f"/matches/{match.pk}/replay").status_code == 200
     assert client.get(f"/matches/{match.pk}/log/B1").status_code in {200, 404}
     assert new_client().get(f"/matches/{match.pk}").status_code == 404
@@ -127,7 +128,7 @@ def test_sample_teams_are_in_no_table_and_a_team_that_hands_one_in_is(site: Site
     basis = Basis.objects.get()
     sample = Submission.objects.filter(via="sample").first()
     assert sample is not None
-    assert list(matchmaking.playing_now(basis.season)) == [own.digest]
+    assert list(seasons.playing_now(basis.season)) == [own.digest]
     Submission.objects.filter(pk=own.pk).update(digest=sample.digest)
-    assert list(matchmaking.playing_now(basis.season)) == [sample.digest]
+    assert list(seasons.playing_now(basis.season)) == [sample.digest]
     assert Entry.objects.count() == 1

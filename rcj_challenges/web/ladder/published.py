@@ -10,7 +10,7 @@ from pydantic import BaseModel
 
 from rcj_challenges.web.codes import SEEDS_DIFFER, TABLE_DIFFERS
 from rcj_challenges.web.errors import SiteError
-from rcj_challenges.web.ladder.ratings import Fit, Result, fit, standings
+from rcj_challenges.web.ladder.ratings import Fit, Rating, Result, fit, standings
 
 _SEED_BYTES = 4
 _SHOWN = 5
@@ -42,18 +42,6 @@ class PlayedMatch(BaseModel):
     void: str
 
 
-class Row(BaseModel):
-    """A program in the table; without a rank it is placing."""
-
-    digest: str
-    value: int
-    sd: int
-    games: int
-    rank: int | None
-    low: int | None
-    high: int | None
-
-
 class Results(BaseModel):
     """All that the table of a season follows from, and the table.
 
@@ -75,7 +63,7 @@ class Results(BaseModel):
     secret: str | None
     programs: list[Program]
     matches: list[PlayedMatch]
-    table: list[Row]
+    table: list[Rating]
 
 
 def seed_of(secret: str, use: str) -> int:
@@ -98,13 +86,12 @@ def fit_of(results: Results) -> Fit:
     return fit(counted, {one.digest: one.follows for one in results.programs})
 
 
-def table_of(results: Results, fitted: Fit) -> list[Row]:
-    """Return the table that follows from a fit of the results."""
-    ratings = standings(fitted, {one.digest for one in results.programs if one.plays})
-    return [Row.model_validate(rating, from_attributes=True) for rating in ratings]
+def table_of(results: Results, fitted: Fit) -> list[Rating]:
+    """The table that follows from a fit of the results."""
+    return standings(fitted, {one.digest for one in results.programs if one.plays})
 
 
-def ensure_consistent(results: Results, table: list[Row]) -> None:
+def ensure_consistent(results: Results, table: list[Rating]) -> None:
     """Refuse results whose table or seeds do not follow from their matches.
 
     Args:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
+from graphlib import TopologicalSorter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -106,7 +107,9 @@ def fit(results: Iterable[Result], predecessors: Mapping[str, str | None]) -> Fi
     Raises:
         ValueError: a result or predecessor names an unlisted program, or a program is among its own predecessors.
     """
-    _check_chains(predecessors)
+    if unknown := {before for before in predecessors.values() if before is not None} - set(predecessors):
+        raise ValueError(f"program {min(unknown)} is not listed")
+    TopologicalSorter({one: [before] for one, before in predecessors.items() if before is not None}).prepare()
     digests = tuple(sorted(predecessors))
     place = {digest: i for i, digest in enumerate(digests)}
     pairs, counts = _counted(results, place)
@@ -149,21 +152,6 @@ def standings(fitted: Fit, shown: Collection[str]) -> list[Rating]:
             low, high = min(rank, intervals[i][0]), max(rank, intervals[i][1])
         ratings.append(Rating(fitted.digests[i], values[i], sds[i], int(fitted.games[i]), rank, low, high))
     return ratings
-
-
-def _check_chains(predecessors: Mapping[str, str | None]) -> None:
-    sound: set[str] = set()
-    for first in predecessors:
-        chain: set[str] = set()
-        digest: str | None = first
-        while digest is not None and digest not in sound:
-            if digest in chain:
-                raise ValueError(f"program {digest} is among its own predecessors")
-            if digest not in predecessors:
-                raise ValueError(f"program {digest} is not listed")
-            chain.add(digest)
-            digest = predecessors[digest]
-        sound |= chain
 
 
 def _counted(results: Iterable[Result], place: Mapping[str, int]) -> tuple[Ints, Ints]:

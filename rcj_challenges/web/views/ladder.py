@@ -16,11 +16,11 @@ from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_POST
 
 from rcj_challenges.records.folder import LOGS, REPLAY, RESULT
-from rcj_challenges.web import jobs, matchmaking, seasons
+from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.blobs import record_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.ladder.published import Row
+from rcj_challenges.web.ladder.ratings import Rating
 from rcj_challenges.web.models import Job, JobState, Match, MatchKind, Season, State, Submission, Team
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.tables import standings_of
@@ -43,11 +43,11 @@ def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
     values: dict[str, Any] = {"season": season, "others": others, "rows": [], "cross": [], "number": 1, "is_last": True}
     if season is not None and basis is not None:
         number = max(1, int(text)) if (text := request.GET.get("page", "1")[:4]).isdecimal() else 1
-        playing, table = matchmaking.playing_now(season), standings_of(basis)
+        playing, table = seasons.playing_now(season), standings_of(basis)
         rows = [row for row in table.published.table if row.digest in playing]
         ranked = [row for row in rows if row.rank is not None]
 
-        def shown(some: list[Row]) -> list[dict[str, Any]]:
+        def shown(some: list[Rating]) -> list[dict[str, Any]]:
             return [
                 {"row": row, "teams": [one.team for one in playing[row.digest]],
                  "record": sum(table.records[row.digest].values(), Counter())}
@@ -68,7 +68,7 @@ def team(request: HttpRequest, pk: int) -> HttpResponse:
     values: dict[str, Any] = {"team": found, "versions": [], "matches": [], "season": season}
     if basis is not None:
         accepted = list(Submission.objects.filter(team=found, season=season, state=State.ACCEPTED).defer("report"))
-        playing, table = matchmaking.playing_now(basis.season), standings_of(basis)
+        playing, table = seasons.playing_now(basis.season), standings_of(basis)
         values["versions"] = [
             {"submission": one, "value": table.fitted.value_of(one.digest), "plays": one in playing.get(one.digest, ()),
              "record": sum(table.records[one.digest].values(), Counter())}
