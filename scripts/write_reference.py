@@ -30,7 +30,7 @@ from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
 from rcj_challenges.rules.conditions.vocabulary import Alternative
 from rcj_challenges.rules.facing import Facing, Towards
-from rcj_challenges.rules.fields import Colour, DurationS, EventName, Name, Names, Point
+from rcj_challenges.rules.fields import NAME_RULE, Colour, DurationS, EventName, Name, Names, Point
 from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import PLACES, At
@@ -77,7 +77,7 @@ Lengths are in metres, times in seconds and angles in radians. The origin is the
 short side and y along its long side; blue defends the goal at +y. Field names carry their unit: `_m`, `_s`, `_rad`,
 `_mps`. Durations are rounded up to ticks of 0.032 s. A field marked *required* has no default. Any single value may be
 `{{param: NAME}}`; a number may also be `{{param: NAME, times: -1, plus: 0.02}}`: the param multiplied by `times`, plus
-`plus` (either can be omitted). Named things are entries of mappings, with their names as keys.
+`plus` (either can be omitted). Named things are entries of mappings, with their names as keys: {NAME_RULE}.
 
 With these lines above it, each example is a complete scenario; all of them run as tests:
 

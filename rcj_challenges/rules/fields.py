@@ -60,18 +60,20 @@ class BuiltOnce:
         return copy.copy(self._schema)
 
 
+MAX_NAME_CHARACTERS = 64
+NAME_RULE = f"letters a to z, digits and _, not beginning with a digit, at most {MAX_NAME_CHARACTERS} characters"
 Name = Annotated[
     str,
-    StringConstraints(pattern=r"^[A-Za-z_][A-Za-z0-9_]*$", max_length=64),
-    Field(description="a name: letters, digits and _, not beginning with a digit"),
+    StringConstraints(pattern=r"^[A-Za-z_][A-Za-z0-9_]*$", max_length=MAX_NAME_CHARACTERS),
+    Field(description=f"a name: {NAME_RULE}"),
     BuiltOnce(),
 ]
 EventName = Annotated[
     str,
-    StringConstraints(pattern=r"^[A-Z][A-Z0-9_]*$", max_length=64),
+    StringConstraints(pattern=r"^[A-Z][A-Z0-9_]*$", max_length=MAX_NAME_CHARACTERS),
     Field(description="an event's name, in capitals: GOAL"),
 ]
-DeviceName = Annotated[str, StringConstraints(min_length=1, max_length=64)]
+DeviceName = Annotated[str, StringConstraints(min_length=1, max_length=MAX_NAME_CHARACTERS)]
 
 
 def _known_colour(colour: str) -> str:

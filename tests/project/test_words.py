@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.expect.runner import run_test
+from rcj_challenges.rules.fields import MAX_NAME_CHARACTERS
 from rcj_challenges.scenario.json_schema import sentence_of
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
@@ -64,7 +65,9 @@ def test_no_example_shows_a_word_that_does_not_exist():
 
 
 def test_the_reference_is_what_the_models_and_the_examples_say():
-    assert write_reference.PAGE.read_text(encoding="utf-8") == write_reference.page()
+    page = write_reference.PAGE.read_text(encoding="utf-8")
+    assert page == write_reference.page()
+    assert f"at most {MAX_NAME_CHARACTERS} characters" in page
 
 
 @pytest.mark.parametrize("recipe", RECIPES, ids=lambda path: path.stem)

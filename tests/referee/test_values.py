@@ -123,7 +123,7 @@ class TestBroadcast:
 
     def test_some_robots_get_fields_of_their_own(self, stage):
         play = stage(
-            "broadcast: {fields: {}, only: {Y1: {way: {draw: way}}, blue: {way: none, n: {counter: n}}, B2: {way: B2}}}",
+            "broadcast: {only: {Y1: {way: {draw: way}}, blue: {way: none, n: {counter: n}}, B2: {way: B2}}}",
             "draws: {way: {values: [left]}}",
             "counters: {n: {initial: 4}}",
         )

@@ -30,6 +30,11 @@ HELP = [
     ("match: {duration: 60}\n", "did you mean 'half_s'?"),
     (rule("{trigger: touches, robot: Y1, ball: ball}"), "did you mean 'entity'?"),
     (condition("counter, counter: blue, more_than: 2"), "did you mean 'above'?"),
+    (condition("counter, counter: blue, greater: 2"), "did you mean 'above'?"),
+    (condition("counter, counter: blue, fewer_than: 2"), "did you mean 'below'?"),
+    (condition("counter, counter: blue, min: 2"), "did you mean 'at_least'?"),
+    (condition("counter, counter: blue, max: 2"), "did you mean 'at_most'?"),
+    (rule(action="{action: score, entrant: blue, points: {counter: blue, weight: 2}}"), "did you mean 'times'?"),
     # Values as YAML reads them.
     ("match: {half_s: '60'}\n", "leave the quotes out"),
     ("match: {half_s: 10 min}\n", "write one number alone"),
@@ -56,6 +61,19 @@ HELP = [
 @pytest.mark.parametrize(("body", "said"), HELP)
 def test_help_shows_what_to_write(body, said):
     assert any(said in problem.help for problem in errors(body)), [problem.help for problem in errors(body)]
+
+
+MISLEADING = [
+    # Of what is no list, or no list of mappings, nothing is said about lists.
+    ("zones: {z: {shape: circle, radius_m: 0.1, centre_m: target}}\n", "a list"),
+    (rule("{trigger: touches, entity: {draw: d}, other: ball}"), "brackets"),
+    (condition("counter, counter: blue, greater: 2"), "negate'?"),
+]
+
+
+@pytest.mark.parametrize(("body", "said"), MISLEADING)
+def test_help_that_would_mislead_is_not_given(body, said):
+    assert not any(said in problem.help for problem in errors(body)), [problem.help for problem in errors(body)]
 
 
 def test_no_word_of_the_language_is_called_foreign():

@@ -85,7 +85,7 @@ class EventNeverEmitted(LintRule, code="event-never-emitted"):
 
 
 class MissingSays(LintRule, code="missing-says"):
-    """A rule that scores or emits an event without ``says``: sheet, log and replay cannot give a reason."""
+    """A rule on the sheet that scores or emits an event without ``says``: sheet and log cannot give a reason."""
 
     message = "{what} comes without a sentence"
     help = "add says: to the rule; players read it in the sheet and in the replay"
@@ -94,7 +94,7 @@ class MissingSays(LintRule, code="missing-says"):
         for name, rule in ctx.scenario.rules.items():
             found = [(path, f"event '{one.event}'") for one, path in effects_in(name, rule, effects.Emits)]
             found += [(path, "a change of the score") for _, path in effects_in(name, rule, effects.Scores)]
-            if found and not rule.says:
+            if found and rule.sheet and not rule.says:
                 path, what = min(found, key=lambda one: one[0][-1])
                 yield self.at(path, what=what)
 

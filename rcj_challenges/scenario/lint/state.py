@@ -102,19 +102,21 @@ class NeverUsed(LintRule, code="never-used"):
 
 
 class HeldForever(LintRule, code="held-forever"):
-    """A rule holds robots without ``for_s``, and no rule releases them."""
+    """A rule holds robots without ``for_s``, no rule releases them, and no test expects any of them to be held."""
 
     message = "robots are held without for_s, and no rule releases {robots}"
-    help = "give it for_s, or add a rule with {{action: release, entity: …}}"
+    help = "give it for_s, add a rule with {{action: release, entity: …}}, or a test with held: {{{first}: true}}"
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         left = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
         for effect, rule, _ in ctx.reachable_effects(Releases):
             left -= ctx.members(effect.entity, rule)
+        tests = ctx.scenario.expect.values()
+        on_purpose = {robot for test in tests for robot, is_held in (test.held or {}).items() if is_held}
         for held, rule, path in ctx.reachable_effects(Holds):
             robots = () if held.for_a_time else sorted(ctx.members(held.names, rule) & left)
-            if robots:
-                yield self.at(path, robots=", ".join(robots))
+            if robots and on_purpose.isdisjoint(robots):
+                yield self.at(path, robots=", ".join(robots), first=robots[0])
 
 
 class InheritedTestLeftOut(LintRule, code="inherited-test-left-out"):

@@ -16,12 +16,13 @@ from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
+from rcj_challenges.rules.fields import NAME_RULE
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.scenario.codes import MISSING_KEY, MISSING_VALUE, UNKNOWN_KEY, UNKNOWN_WORD, WRONG_NAME, WRONG_VALUE
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.messages.synonyms import OTHER_KEYS, OTHER_WORDS
-from rcj_challenges.scenario.messages.wording import NAME_RULE, expected, format_node, is_fixed, quoted, refusal
+from rcj_challenges.scenario.messages.wording import expected, format_node, is_fixed, quoted, refusal
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,

@@ -97,8 +97,10 @@ _KEYS = {
     "position pos location start start_m centre_m": "start_m centre_m start at",
     "amount value": "points by to equals initial",
     "duration seconds for_s": "half_s lasts_s for_s limit_s",
-    "more_than faster_than greater_than": "above at_least",
-    "less_than slower_than under": "below at_most",
+    "more_than faster_than greater_than greater over": "above at_least",
+    "less_than slower_than fewer_than less under": "below at_most",
+    "min minimum": "at_least",
+    "max maximum up_to": "at_most",
 }
 OTHER_KEYS = {key: tuple(known.split()) for keys, known in _KEYS.items() for key in keys.split()}
 """By foreign key: the keys that it may be called here, of which those count that may stand in its place."""

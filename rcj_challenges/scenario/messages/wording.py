@@ -9,14 +9,12 @@ from typing import Any, Literal, get_args, get_origin
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.colours import CSS_COLOURS
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.rules.fields import Colour, EventName, Name, Names, Point
+from rcj_challenges.rules.fields import NAME_RULE, Colour, EventName, Name, Names, Point
 from rcj_challenges.rules.message import SaidText
 from rcj_challenges.scenario.errors import cut, did_you_mean, listing
 from rcj_challenges.scenario.models.robots import EntryPoint
-from rcj_challenges.scenario.shape import Shape, bare, is_model, is_named, is_union, members, without_none
+from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_named, is_union, members, without_none
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
-
-NAME_RULE = "letters a to z, digits and _, not beginning with a digit, at most 64"
 
 _YES, _NO = frozenset({"yes", "on", "y", "true"}), frozenset({"no", "off", "n", "false"})
 _NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
@@ -139,10 +137,12 @@ def is_fixed(shape: Shape) -> bool:
 def as_it_is_written(shape: Shape, node: Node | None) -> str:
     """Return help for the usual slips in writing a value; empty: it is none of them."""
     kinds = [bare(inner).kind for member in members(shape) for inner in members(member)]
+    lists = [kind for kind in kinds if is_list(kind)]
     literals = [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
     if not isinstance(node, Leaf):
-        is_list = any(get_origin(kind) is tuple for kind in kinds) and not is_fixed(shape)
-        return "a list stands in brackets, also of one: [{…}]" if is_list and isinstance(node, Entries) else ""
+        listed = [bare(one).kind for kind in lists for one in members(get_args(kind)[0])]
+        is_one = isinstance(node, Entries) and any(is_model(kind) or is_named(kind) for kind in listed)
+        return "a list stands in brackets, also of one: [{…}]" if is_one else ""
     text, help_ = str(node.value), ""
     if not isinstance(node.value, str):
         help_ = f"write it in quotes: '{node.written or text}'" if text in literals or kinds == [str] else ""
@@ -156,6 +156,6 @@ def as_it_is_written(shape: Shape, node: Node | None) -> str:
         help_ = f"a decimal number is written with a point: {text.replace(',', '.')}"
     elif {int, float} & set(kinds) and text[:1].isdigit():
         help_ = "write one number alone; its unit is in the name of the key"
-    elif any(get_origin(kind) is tuple for kind in kinds) and text.isidentifier():
+    elif lists and text.isidentifier():
         help_ = did_you_mean(text, map(str, literals)) or f"a list of one is written [{text}]"
     return help_ or did_you_mean(text, map(str, literals))

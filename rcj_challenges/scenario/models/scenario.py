@@ -113,7 +113,7 @@ class Rule(Strict):
 class Broadcast(Strict):
     """What programs receive after the official packet: a JSON object on the same channel."""
 
-    fields: dict[Name, Value] = described(..., "values by key, sent to all robots")
+    fields: dict[Name, Value] = described({}, "values by key, sent to all robots")
     only: Annotated[
         dict[Name, dict[Name, Value]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
     ] = described(

@@ -11,10 +11,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from rcj_challenges.core.diagnostics import Diagnostic
-from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.fields import NAME_RULE, Scalar
 from rcj_challenges.scenario.codes import NAME_TAKEN, SCENARIO_TOO_LARGE, WRONG_REPEAT
 from rcj_challenges.scenario.errors import did_you_mean, listing, place_of
-from rcj_challenges.scenario.messages.wording import NAME_RULE, format_node, quoted
+from rcj_challenges.scenario.messages.wording import format_node, quoted
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, filled
 from rcj_challenges.scenario.reading.merge import Merger, Repeated, is_param
