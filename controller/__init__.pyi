@@ -169,7 +169,7 @@ class Robot:
     def getDeviceByIndex(self, index: int) -> Device | None:
         """Return a device by its number; None if there is none."""
     def getNumberOfDevices(self) -> int:
-        """Return how many devices the robot has."""
+        """The number of devices of the robot."""
     def getType(self) -> int:
         """Return its kind, as ``Node`` numbers them: ``Node.ROBOT``."""
     def getModel(self) -> str:
@@ -319,7 +319,7 @@ class Emitter(Device):
     def setChannel(self, channel: int) -> None:
         """Send on another channel from now on; those of the other team carry nothing."""
     def getRange(self) -> float:
-        """Return how far it sends, in m."""
+        """Its range in m."""
     def setRange(self, range: float) -> None:
         """Remember a smaller range in m. It is not simulated: packets reach as far as before."""
     def getMaxRange(self) -> float:
@@ -907,11 +907,11 @@ class Lidar(Sensor):
     def getLayerPointCloud(self, layer: int, data_type: str = 'list') -> Any:
         """Return the points of a layer as `getPointCloud` does; there is one, 0."""
     def getHorizontalResolution(self) -> int:
-        """Return how many readings a layer has."""
+        """The number of readings of a layer."""
     def getNumberOfLayers(self) -> int:
         """Return 1."""
     def getNumberOfPoints(self) -> int:
-        """Return how many readings there are in all."""
+        """The number of readings in all."""
     def getMinRange(self) -> float:
         """Return the smallest range in m."""
     def getMaxRange(self) -> float:
@@ -982,7 +982,7 @@ class Receiver(Sensor):
     def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
         """Listen, every ``samplingPeriod`` ms (``sampling_period`` in R2023a)."""
     def getQueueLength(self) -> int:
-        """Return how many packets wait.
+        """The number of packets that wait.
 
         Example:
             ``while receiver.getQueueLength(): … receiver.nextPacket()``

@@ -205,7 +205,7 @@ class Chassis(Word):
         return self.mass_kg + add_up(wheel.mass_kg for wheel in self.wheels())
 
     def mouth_m(self, ball_m: float) -> float:
-        """Return how far a ball of this radius enters between its jaws."""
+        """The depth to which a ball of this radius enters between its jaws."""
         if self.jaws_m is None:
             return 0.0
         depth_m, half_m = self.jaws_m[0], self.jaws_m[1] / 2
@@ -232,7 +232,7 @@ class Chassis(Word):
         return solids
 
     def _reach_m(self, beside_m: float) -> float:
-        """Return how far ahead the body ends beside its middle; 0 outside of it."""
+        """The front of the body beside its middle; 0 outside of it."""
         body = self.body()
         crossed = (
             ax + (bx - ax) * (beside_m - ay) / (by - ay)
@@ -281,11 +281,11 @@ class Chassis(Word):
 
     @classmethod
     def make_drive(cls, physics: Physics, mounts: Sequence[Mount]) -> Drive:
-        """Return what drives all robots with this kind of chassis in a half."""
+        """The effect that drives all robots with this kind of chassis in a half."""
         raise NotImplementedError
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is: ``a cube of 7.5 cm on two wheels; …``."""
+        """A description: ``a cube of 7.5 cm on two wheels; …``."""
         raise NotImplementedError
 
     def body_words(self) -> str:

@@ -77,13 +77,13 @@ kits:
 
     @classmethod
     def make_drive(cls, physics: Physics, mounts: Sequence[Mount]) -> Drive:
-        """Return what drives all robots with two wheels in a half."""
+        """The effect that drives all robots with two wheels in a half."""
         return DifferentialDrive(
             physics, [(mount, mount.chassis) for mount in mounts if isinstance(mount.chassis, cls)]
         )
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
+        """A description."""
         apart, radius, width = metres_alike((self.wheel_track_m, self.wheel_radius_m, self.wheel_width_m))
         return (
             f"{self.body_words()} on two wheels; its mass is {self.mass_kg:g} kg, and "
@@ -240,7 +240,7 @@ class DifferentialDrive:
             write(coefficients, first_byte, ahead, aside, cos(yaw + _QUARTER_TURN_RAD), ahead, ahead, aside)
 
     def _speeds_along(self) -> list[float]:
-        """Return how fast each wheel's position moves along its robot, by the robot's heading a sub-step ago."""
+        """The speed of each wheel's position along its robot, by the robot's heading a sub-step ago."""
         qvel, coefficients = self._qvel, self._coefficients
         along_mps: list[float] = []
         for x_at, y_at, yaw_at, ahead, aside, left_arm_m, right_arm_m in self._ways:

@@ -105,11 +105,11 @@ kits:
 
     @classmethod
     def make_drive(cls, physics: Physics, mounts: Sequence[Mount]) -> Drive:
-        """Return what drives all robots with such wheels in a half."""
+        """The effect that drives all robots with such wheels in a half."""
         return OmniDrive(physics, [(mount, mount.chassis) for mount in mounts if isinstance(mount.chassis, cls)])
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
+        """A description."""
         radius, width, ring = metres_alike((self.wheel_radius_m, self.wheel_width_m, self.wheel_ring_m))
         places = listed([degrees(at) for at in self.wheels_at_rad], "and")
         return (

@@ -80,7 +80,7 @@ def _opened(path: Path, scenario: Scenario) -> tuple[tuple[Entrant, ...], Openin
 
 
 def _archive(contents: Contents) -> Stage:
-    stage = Stage("archive", [finding_of(trouble) for trouble in contents.troubles])
+    stage = Stage("archive", [finding_of(problem) for problem in contents.problems])
     if not contents.refused:
         count, size = len(contents.files), sum(map(len, contents.files.values()))
         message = f"{counted(count, 'file')}, {size / 1000:.1f} kB unpacked"

@@ -107,7 +107,7 @@ def check_file(
     try:
         check.run(path)
     except HostError as error:
-        check.hindrance, check.hindrance_code = sanitize(one_line(error)), error.code or ""
+        check.blocked_by, check.blocked_code = sanitize(one_line(error)), error.code or ""
     return check.report(repaired or [], time.perf_counter() - began)
 
 
@@ -118,19 +118,19 @@ def crashed_report(named: SubmissionName, message: str, details: str = "") -> Fi
     return _report_without_check(named, finding, finding.message)
 
 
-def unchecked_report(named: SubmissionName, hindrance: str) -> FileReport:
+def unchecked_report(named: SubmissionName, blocked_by: str) -> FileReport:
     """Return the report on a submission that this computer could not check: nothing is known about it."""
-    return _report_without_check(named, None, sanitize(hindrance, 400))
+    return _report_without_check(named, None, sanitize(blocked_by, 400))
 
 
-def _report_without_check(named: SubmissionName, finding: Diagnostic | None, hindrance: str) -> FileReport:
+def _report_without_check(named: SubmissionName, finding: Diagnostic | None, blocked_by: str) -> FileReport:
     stages = [Stage(name, skipped="the submission could not be checked") for name in STAGES]
     if finding is not None:
         stages[0] = Stage("archive", [finding])
     return FileReport(
         file=named.name,
         level="unchecked",
-        hindrance=hindrance,
+        blocked_by=blocked_by,
         our_fault=finding is not None,
         team="",
         digest="",
@@ -145,16 +145,16 @@ class _Check:
     """The check of one submission, and its results so far.
 
     Attributes:
-        hindrance: what this computer could not do; empty if it could.
-        hindrance_code: of that error.
+        blocked_by: what this computer could not do; empty if it could.
+        blocked_code: of that error.
     """
 
     def __init__(
         self, loaded: Loaded, options: CheckOptions, named: SubmissionName, on_stage: Callable[[StageName], None]
     ) -> None:
         self._on_stage = on_stage
-        self.hindrance = ""
-        self.hindrance_code = ""
+        self.blocked_by = ""
+        self.blocked_code = ""
         self._loaded = loaded
         self._options = options
         self._named = named
@@ -185,12 +185,12 @@ class _Check:
 
     def report(self, repaired: list[str], wall_s: float) -> FileReport:
         """Return the report. Stages that were not come to are skipped."""
-        missing = "this computer could not go on" if self.hindrance else "the submission could not be opened"
+        missing = "this computer could not go on" if self.blocked_by else "the submission could not be opened"
         for name in STAGES:
             if name not in self._stages:
                 self._stages[name] = Stage(name, skipped=self._obstacle(name) or missing)
         stages = [self._stages[name] for name in STAGES]
-        level: Level = "unchecked" if self.hindrance else most_serious(stage.level for stage in stages)
+        level: Level = "unchecked" if self.blocked_by else most_serious(stage.level for stage in stages)
         unknown = [one.message for stage in stages for one in stage.findings if one.level == "unchecked"]
         inspection = self._inspection
         logo = inspection.logo if inspection is not None else None
@@ -199,9 +199,9 @@ class _Check:
             file=self._named.name,
             level=level,
             cause=first_cause(stages, level),
-            code=self.hindrance_code,
-            hindrance=self.hindrance or next(iter(unknown), ""),
-            our_fault=self._our_fault and not self.hindrance,
+            code=self.blocked_code,
+            blocked_by=self.blocked_by or next(iter(unknown), ""),
+            our_fault=self._our_fault and not self.blocked_by,
             team=sanitize(inspection.display_name) if inspection is not None else "",
             digest=inspection.digest if inspection is not None else "",
             repaired=repaired,
@@ -349,5 +349,5 @@ def _raise_if_of_the_host(error: Exception) -> None:
 
 
 def _outputs(match: Rehearsed) -> dict[str, str]:
-    """Return what programs printed, by robot, safe to show."""
+    """The output of programs, by robot, safe to show."""
     return {robot: sanitize_block(match.log(robot), _MAX_OUTPUT_LINES) for robot in match.robots}

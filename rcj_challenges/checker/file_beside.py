@@ -9,7 +9,7 @@ from rcj_challenges.submissions.team import Team
 
 
 def help_for_module_beside(team: Team, module: str) -> str:
-    """Return what to do about an import of a file or folder beside a single program; empty if there is none."""
+    """Advice on an import of a file or folder beside a single program; empty if there is none."""
     name = next((name for name in (f"{module}.py", module) if team.ignores_neighbour(name)), "")
     program = next(iter(team.files), PurePosixPath("the program"))
     return name and (

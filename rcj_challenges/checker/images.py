@@ -46,7 +46,7 @@ class Picture:
 
 
 def identify(data: bytes) -> Picture | None:
-    """Return what kind of picture this is; None if it is not a known one."""
+    """The kind of picture; None if it is not a known one."""
     kind = next((kind for signature, kind in _KINDS.items() if data.startswith(signature)), None)
     if kind is None or (kind == "WebP" and data[8:12] != b"WEBP") or len(data) < 24:
         return None

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker import codes
-from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
 from rcj_challenges.checker.others import suggest_scenarios
 from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
+from rcj_challenges.checker.similar_names import BLANK, alike, like_an_entry, mentioned
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.models.robots import Entrant
@@ -102,7 +102,7 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
         return [
             Diagnostic(codes.LAYOUT_MISNAMED, message, help_, safe_text(plan.moves[0].old), repair=not plan.caution)
         ]
-    nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
+    nested = [problem for problem in opening.contents.problems if problem.code == "archive.nested"]
     if nested:
         help_ = f"pack what is in {nested[0].where}, not the archive itself"
     else:
@@ -174,7 +174,7 @@ def _never_started(
 
 
 def _content(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> dict[PurePosixPath, bytes]:
-    """Return what is in the folder of a program, the program itself under a name that is the same for all."""
+    """The files in the folder of a program, the program itself under a name that is the same for all."""
     return {
         PurePosixPath() if path == entry else path.relative_to(entry.parent): content
         for path, content in files.items()

@@ -79,7 +79,7 @@ class Library:
         return Library(self._files, (*self.places, *sorted(self._folders)))
 
     def top(self, name: str, parts: Sequence[str] = ()) -> Module | None:
-        """Return what ``import name`` finds in the submission, before Python's own modules.
+        """The module that ``import name`` finds in the submission, before Python's own.
 
         Args:
             name: of the module.
@@ -177,7 +177,7 @@ _OF_THREADS = frozenset({"multiprocessing.dummy", "multiprocessing.pool.ThreadPo
 
 
 def refused_use(module: str, names: Sequence[str]) -> str:
-    """Return what a module is for, if its use is refused in a match; else nothing."""
+    """The purpose of a module whose use is refused in a match; else nothing."""
     asked = [f"{module}.{name}" for name in names]
     if module in _OF_THREADS or (asked and _OF_THREADS.issuperset(asked)):
         return ""

@@ -15,7 +15,7 @@ from rcj_challenges.submissions.team import opening_of
 
 
 def seats_of(scenario: Scenario) -> list[tuple[Entrant, ...]]:
-    """Return what a submission may be asked for: all seats, or, where teams keep their sides, any one of them."""
+    """The seats that a submission may fill: all, or, where teams keep their sides, any one of them."""
     entrants = tuple(scenario.entrants.values())
     if scenario.match.swap_sides or len(entrants) == 1:
         return [entrants]
@@ -41,7 +41,7 @@ def others_that_fit(
 
 
 def suggest_scenarios(names: Sequence[str]) -> str:
-    """Return how to check a submission for another scenario, as the beginning of a help text."""
+    """The command that checks a submission for another scenario, as the beginning of a help text."""
     return f"it looks like one for {' or '.join(names)}: rcj-challenge check … --scenario {names[0]}"
 
 

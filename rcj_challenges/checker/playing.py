@@ -221,7 +221,7 @@ def _threads(match: Rehearsed, side: str) -> list[Diagnostic]:
 
 
 def _complaints(match: Rehearsed, side: str) -> list[Diagnostic]:
-    """Return what the controller module found wrong with calls of the program."""
+    """The notes of the controller module on calls of the program."""
     complaints: dict[tuple[str, str], list[str]] = {}
     for robot in match.robots:
         for complaint in complaints_in(match.notes[robot]):

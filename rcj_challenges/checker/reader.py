@@ -167,7 +167,7 @@ def _import(node: ast.stmt, spot: _Spot, module: str, names: Sequence[str] = (),
 
 
 def _below(spot: _Spot) -> list[_Spot]:
-    """Return what is inside a node. What follows a ``while`` at the top, maybe the main loop, may not be reached."""
+    """The nodes inside a node. What follows a ``while`` at the top, maybe the main loop, may not be reached."""
     node = spot.node
     if isinstance(node, ast.Try | ast.TryStar):
         guarded = spot.guarded or any(_catches(handler.type) for handler in node.handlers)

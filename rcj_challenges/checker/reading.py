@@ -74,7 +74,7 @@ class Source:
 def read_sources(
     files: Mapping[PurePosixPath, bytes], first: Collection[PurePosixPath] = ()
 ) -> dict[PurePosixPath, Source]:
-    """Return what is in each of the Python files, whatever they are.
+    """The contents of each of the Python files, whatever they are.
 
     Args:
         files: contents by path; only the ``.py`` files are looked at.
@@ -111,7 +111,7 @@ def read_sources(
 def _ask(
     paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes], max_imports: int
 ) -> tuple[list[Source], str]:
-    """Return what the reader reports on the files until it ends, and why if it ended too early."""
+    """The reader's reports on the files until it ends, and why if it ended too early."""
     index = [(path.name.encode("utf-8", "replace").decode(), len(files[path])) for path in paths]
     request = json.dumps({"files": index, "max_imports": max_imports}).encode() + b"\n"
     command = [sys.executable, "-I", "-S", "-B", "-X", "utf8", str(_READER)]

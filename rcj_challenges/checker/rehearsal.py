@@ -117,7 +117,7 @@ class Rehearsed:
     wall_s: float
 
     def log(self, robot: str) -> str:
-        """Return what a program printed, and what the match wrote about it: of much the beginning and the end."""
+        """The output of a program, and lines of the match about it: of much the beginning and the end."""
         return read_log(self.folder / LOGS, robot)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.likeness import (
+from rcj_challenges.checker.similar_names import (
     BLANK,
     alike,
     imported_words,
@@ -44,7 +44,7 @@ class Move:
     new: PurePosixPath
 
     def __str__(self) -> str:
-        """Return what to do, as a sentence."""
+        """The repair, as a sentence."""
         if self.new == PurePosixPath():
             return f"move what is in {safe_text(self.old)} to the top"
         kind = "file" if self.new.suffix == ".py" else "folder"
@@ -159,7 +159,7 @@ def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_on
         stem, own_imports = path.stem.encode("utf-8", "surrogateescape"), imported_words(files[path])
         is_library = imports[stem] > (stem in own_imports)
         is_program = b"controller" in own_imports or like_an_entry(path) or not own_imports.isdisjoint(stems - {stem})
-        rank = _likeness(path, entry, is_program=is_program)
+        rank = _score(path, entry, is_program=is_program)
         if is_library and (len(entry.parts) == 1 or rank < _CLEAR):
             rank = 0
         elif not rank:
@@ -172,8 +172,8 @@ def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_on
     return best[0] if len(best) == 1 else None
 
 
-def _likeness(path: PurePosixPath, entry: PurePosixPath, *, is_program: bool) -> int:
-    """Return how much the names suggest that a file is an entry point; 0: not at all.
+def _score(path: PurePosixPath, entry: PurePosixPath, *, is_program: bool) -> int:
+    """How much the names suggest that a file is an entry point; 0: not at all.
 
     The folder alone suggests it only of a file that drives a robot: another may be all that is left of the team's work.
     """

@@ -108,8 +108,8 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
 def _hopeless(found: Inspection) -> list[str]:
     """Return why nothing can be written: parts cannot be read, or it is unclear which file to use."""
     contents = found.opening.contents
-    if not contents.complete or any(not trouble.repair for trouble in contents.refused):
-        return [trouble.sentence for trouble in contents.refused]
+    if not contents.complete or any(not problem.repair for problem in contents.refused):
+        return [problem.sentence for problem in contents.refused]
     taken = set(map(folded, contents.files))
     clashes = []
     for name in contents.unsafe:
@@ -124,13 +124,13 @@ def _hopeless(found: Inspection) -> list[str]:
 def _corrected(found: Inspection, scenario: Scenario, done: list[str]) -> Files:
     """Return the files as they should be, and note what was done."""
     contents = found.opening.contents
-    codes = dict.fromkeys(trouble.code for trouble in contents.troubles if trouble.repair)
+    codes = dict.fromkeys(problem.code for problem in contents.problems if problem.repair)
     done += [text for code, text in _BY_WRITING.items() if code in codes]
     # The new archive names the encoding of its file names: nothing shows any more that it was guessed.
-    guessed = (trouble for trouble in contents.troubles if trouble.code == "archive.name_guessed")
+    guessed = (problem for problem in contents.problems if problem.code == "archive.name_guessed")
     done += [
-        f"wrote names as they were read, maybe wrongly; use plain letters: {trouble.message.partition(': ')[2]}"
-        for trouble in guessed
+        f"wrote names as they were read, maybe wrongly; use plain letters: {problem.message.partition(': ')[2]}"
+        for problem in guessed
     ]
     if contents.kind == "program":
         return _as_folder(found.opening, found.seats, done)
@@ -162,7 +162,7 @@ def _with_safe_names(opening: Opening, seats: Sequence[Entrant], done: list[str]
     done += renamed_files[:MAX_OF_A_KIND]
     if len(renamed_files) > MAX_OF_A_KIND:
         done.append(f"and {counted(len(renamed_files) - MAX_OF_A_KIND, 'more file')}")
-    renamed = replace(contents, files=dict(sorted(files.items())), troubles=(), unsafe={})
+    renamed = replace(contents, files=dict(sorted(files.items())), problems=(), unsafe={})
     source = opening.team.source if opening.team else Path(opening.name.text)
     return opening_of(source, renamed, *seats)
 
@@ -202,10 +202,10 @@ def _changed_folders(opening: Opening) -> list[str]:
 def _named(files: Files, fallback: str, done: list[str]) -> Files:
     """Return the files with the team's name in its proper place, as it is shown."""
     name = find_team_name(files, fallback)
-    codes = {trouble.code for trouble in name.troubles if trouble.repair}
+    codes = {problem.code for problem in name.problems if problem.repair}
     if name.path is None or not codes:
         return files
-    readable = name.given and all(trouble.code != "identity.name_encoding" for trouble in name.troubles)
+    readable = name.given and all(problem.code != "identity.name_encoding" for problem in name.problems)
     content = f"{name.text}\n".encode() if readable else files[name.path]
     if name.path != _NAME_PATH:
         done.append(f"took the team's name from {safe_text(name.path)} to {NAME_FILE}")
@@ -217,7 +217,7 @@ def _named(files: Files, fallback: str, done: list[str]) -> Files:
 def _with_its_name(files: Files, shown: str, out: Path, done: list[str]) -> Files:
     """Return the files with the name that the team is shown by, where that of its new file would take its place."""
     name = find_team_name(files, called_after(out.name))
-    in_a_document = any(trouble.code == "identity.name_document" for trouble in name.troubles)  # for the team to open
+    in_a_document = any(problem.code == "identity.name_document" for problem in name.problems)  # for the team to open
     if name.given or name.text == shown or in_a_document:
         return files
     done.append(f"wrote {NAME_FILE}: {shown}, as the team is called by its file's name")

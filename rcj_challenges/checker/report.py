@@ -95,7 +95,7 @@ class FileReport(_Part):
     )
     cause: str = _described("what to fix first and how, in one line; empty if everything is in order", default="")
     code: str = _described("the code of the error that prevented the check; usually empty", default="")
-    hindrance: str = _described("why it is unchecked: what could not be done; otherwise empty", default="")
+    blocked_by: str = _described("why it is unchecked: what could not be done; otherwise empty", default="")
     our_fault: bool = _described("whether it is unchecked because of a bug in this project", default=False)
     team: str = _described("name of the team, safe to show; empty if it is not known")
     digest: str = _described("SHA-256 over names and contents of its files; empty if they cannot be read")
@@ -109,7 +109,7 @@ class FileReport(_Part):
     logo: bytes | None = Field(default=None, exclude=True, repr=False, description="its logo, a PNG; not in the JSON")
 
     def count(self, level: Level) -> int:
-        """Return how many findings of a level there are."""
+        """The number of findings of a level."""
         return sum(finding.level == level for stage in self.stages for finding in stage.findings)
 
 
@@ -272,7 +272,7 @@ def format_finding(finding: Diagnostic) -> str:
 
 
 def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
-    """Return what to fix first and how, in one line; empty if everything is in order."""
+    """The first thing to fix, in one line; empty if everything is in order."""
     found = (finding for stage in stages for finding in stage.findings)
     first = _by_hand_first([finding for finding in found if finding.level == level != "passed"])
     return "; ".join(filter(None, (format_finding(first), first.help))) if first is not None else ""
@@ -289,7 +289,7 @@ def verdict(file: FileReport) -> str:
     if file.level == "unchecked":
         whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
         known = f" What failed before ({counted(errors, 'error')}) stands." if errors else ""
-        return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
+        return f"Not checked: {file.blocked_by}. That is {whose} and says nothing about the team.{known}"
     warned = f", {counted(warnings, 'warning')}" if warnings else ""
     found = [one for stage in file.stages for one in stage.findings if one.level == file.level != "passed"]
     repairable = sum(finding.repair for finding in found)
@@ -310,7 +310,7 @@ def no_replay(match: MatchReport) -> str:
 
 
 def summary(report: CheckReport) -> str:
-    """Return how many submissions passed, as a sentence."""
+    """The number of submissions that passed, as a sentence."""
     counts = report.summary
     parts = [f"{counts.passed} ok", counted(counts.warning, "warning"), counted(counts.error, "error")]
     if counts.unchecked:

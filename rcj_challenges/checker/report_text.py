@@ -85,7 +85,7 @@ def print_table(console: Console, report: CheckReport) -> None:
             Text(file.file),
             Text(file.team),
             Text(LEVEL_NAMES[file.level], style=_STYLES[file.level]),
-            Text(file.hindrance or file.cause),
+            Text(file.blocked_by or file.cause),
         )
     _print(console, table)
 

@@ -114,7 +114,7 @@ class _Walk:
     def _run_by(
         self, unit: Unit, wanted: Import, followed: dict[tuple[PurePosixPath, Import], list[Unit]]
     ) -> list[Unit]:
-        """Return what an import runs; what is wrong with it becomes a finding.
+        """The code that an import runs; what is wrong with it becomes a finding.
 
         Results are kept in ``followed``: a file that is run again, in other packages, runs the same files.
         """

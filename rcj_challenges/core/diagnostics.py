@@ -164,5 +164,5 @@ def issue(
     other: tuple[str | int, ...] = (),
     level: Level | None = None,
 ) -> Diagnostic:
-    """Return what is wrong at a place of a tree; arguments as of `Diagnostic` and `InTree`."""
+    """A diagnostic at a place of a tree; arguments as of `Diagnostic` and `InTree`."""
     return Diagnostic(code, message, help_, InTree(keys=keys, at_key=at_key, other=other), level or code.level)

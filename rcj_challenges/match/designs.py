@@ -30,7 +30,7 @@ class Brought:
 
 
 def brought_by(team: Team | SuperTeam, seat: str, scenario: Scenario) -> Brought | None:
-    """Return what a team brings along to a seat; None if it has no designs, or they do not count there."""
+    """The designs of a team for a seat; None if it has none, or they do not count there."""
     entrant, brought = scenario.entrants[seat], Brought()
     guideline = scenario.guidelines.get(entrant.design or "")
     if guideline is None:

@@ -31,7 +31,7 @@ def change_bound(model: "Count | Score") -> Callable[[Number, Number], Number]:
 
 
 def bounds_words(action: "Count | Score", total: str) -> str:
-    """Return how far an action takes the total, in words."""
+    """The change of the total by an action, in words."""
     ways = (("fall below", action.keeps_at_least), ("rise above", action.keeps_at_most))
     totals = [f"{way} {number(one)}" for way, one in ways if one is not None]
     return f" (the {total} does not {' or '.join(totals)} by it)" if totals else ""

@@ -277,7 +277,7 @@ def _price(amount: float, allowance: Allowance) -> int:
 
 
 def _beyond_m(chassis: Chassis, ahead_m: float, left_m: float) -> float:
-    """Return how far outside of the body a place is; 0: it is within."""
+    """The distance from the body to a place outside of it; 0: it is within."""
     body = chassis.body()
     edges = tuple(zip(body, (*body[1:], body[0]), strict=True))
     if all(side(*edge, (ahead_m, left_m)) >= 0 for edge in edges):

@@ -83,21 +83,21 @@ class Contents:
     Attributes:
         kind: what it was read from.
         files: what can be used, without what tools leave behind.
-        troubles: everything odd about it.
+        problems: everything odd about it.
         complete: whether nothing is missing because it could not be read.
         unsafe: files whose names must not be used, by the name they came with.
     """
 
     kind: Literal["folder", "zip", "program"]
     files: Files
-    troubles: tuple[Diagnostic, ...] = ()
+    problems: tuple[Diagnostic, ...] = ()
     complete: bool = True
     unsafe: dict[str, bytes] = field(default_factory=dict)
 
     @property
     def refused(self) -> list[Diagnostic]:
-        """The troubles for which it is not used."""
-        return [trouble for trouble in self.troubles if trouble.level == "error"]
+        """The problems for which it is not used."""
+        return [problem for problem in self.problems if problem.level == "error"]
 
 
 def read_contents(path: Path) -> Contents:
@@ -120,7 +120,7 @@ def read_contents(path: Path) -> Contents:
             return _from_program(path)
         return _from_zip(path)
     except UnreadableError as error:
-        return _unreadable("folder", error.trouble)
+        return _unreadable("folder", error.problem)
     except (OSError, ValueError, RecursionError) as error:  # the last: folders too deep to be searched
         reason = getattr(error, "strerror", None) or error
         where = getattr(error, "filename", None) or path  # a file or folder in it, perhaps
@@ -173,13 +173,13 @@ def _no_files() -> Diagnostic:
     return Diagnostic(codes.ARCHIVE_EMPTY, "there are no files in it", "is this the folder of the robot programs?")
 
 
-def _unreadable(kind: Literal["folder", "zip", "program"], *troubles: Diagnostic) -> Contents:
-    return Contents(kind, {}, troubles, complete=False)
+def _unreadable(kind: Literal["folder", "zip", "program"], *problems: Diagnostic) -> Contents:
+    return Contents(kind, {}, problems, complete=False)
 
 
 def _from_folder(folder: Path) -> Contents:
     files: Files = {}
-    troubles = Problems()
+    problems = Problems()
     total = 0
     inside = folder.resolve()
     for path in _walk(folder):
@@ -188,7 +188,7 @@ def _from_folder(folder: Path) -> Contents:
             continue
         leads_out = _leads_out(path, inside)
         if leads_out or path.is_dir():
-            troubles.add(_link(relative, leads_out=leads_out, is_folder=path.is_dir()))
+            problems.add(_link(relative, leads_out=leads_out, is_folder=path.is_dir()))
             continue
         if not path.is_file():
             continue
@@ -196,24 +196,24 @@ def _from_folder(folder: Path) -> Contents:
         if total > MAX_UNPACKED_BYTES or len(files) >= MAX_FILES:
             message = f"more than {MAX_FILES} files or {MAX_UNPACKED_BYTES // 1_000_000} MB"
             help_ = "is this the folder of the robot programs?"
-            return _unreadable("folder", *troubles, Diagnostic(codes.ARCHIVE_TOO_MANY, message, help_))
+            return _unreadable("folder", *problems, Diagnostic(codes.ARCHIVE_TOO_MANY, message, help_))
         if relative in files:
             message = f"{safe_text(relative)} is there twice, with characters composed and taken apart; one is left out"
-            troubles.add(
+            problems.add(
                 Diagnostic(codes.ARCHIVE_COLLISION, message, "delete one", safe_text(relative), level="warning")
             )
         files[relative] = path.read_bytes()
     # Names that only another computer refuses do not matter in a folder.
-    for trouble in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
-        troubles.add(
+    for problem in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
+        problems.add(
             Diagnostic(
-                trouble.code, trouble.message, trouble.help, trouble.where, repair=trouble.repair, level="warning"
+                problem.code, problem.message, problem.help, problem.where, repair=problem.repair, level="warning"
             )
         )
-    _report_nested(files, troubles)
-    if not files and not any(trouble.code == "archive.link" for trouble in troubles):
-        troubles.add(_no_files())
-    return Contents("folder", dict(sorted(files.items())), tuple(troubles))
+    _report_nested(files, problems)
+    if not files and not any(problem.code == "archive.link" for problem in problems):
+        problems.add(_no_files())
+    return Contents("folder", dict(sorted(files.items())), tuple(problems))
 
 
 def _leads_out(path: Path, inside: Path) -> bool:
@@ -227,7 +227,7 @@ def _leads_out(path: Path, inside: Path) -> bool:
 
 
 def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Diagnostic:
-    """Return what is wrong with a link; one to another folder inside is left out, whatever leads out is refused."""
+    """The problem of a link; one to another folder inside is left out, whatever leads out is refused."""
     shown = safe_text(path)
     if leads_out:
         message = f"{shown} is a link that leads out of the folder"
@@ -283,34 +283,34 @@ class _ZipReading:
 
     def __init__(self, data: bytes) -> None:
         self._data = data
-        self._troubles = Problems()
+        self._problems = Problems()
         self._files: Files = {}
         self._unsafe: dict[str, bytes] = {}
         self._complete = True
-        self._spelled: dict[str, PurePosixPath] = {}
+        self._paths: dict[str, PurePosixPath] = {}
         self._most = min(MAX_UNPACKED_BYTES, max(FREE_UNPACKED_BYTES, MAX_RATIO * len(data)))
         self._left = self._most
         self._wasted = 0
 
     def contents(self) -> Contents:
         try:
-            entries = zip_reader.read_entries(self._data, self._troubles)
+            entries = zip_reader.read_entries(self._data, self._problems)
             self._report_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
             used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
             self._count_folders(used)
         except UnreadableError as error:
-            self._troubles.add(error.trouble)
-            return _unreadable("zip", *self._troubles)
+            self._problems.add(error.problem)
+            return _unreadable("zip", *self._problems)
         used = self._without_records(used)
         self._report_guessed([entry for entry in used if entry.guessed])
         self._read_all([entry for entry in used if not entry.is_folder])
         self._report_folders([entry for entry in used if entry.is_folder])
         self._refuse_files_in_files()
-        _report_nested(self._files, self._troubles)
+        _report_nested(self._files, self._problems)
         if not self._files and not self._unsafe and self._complete:
-            self._troubles.add(_no_files())
+            self._problems.add(_no_files())
         files = dict(sorted(self._files.items()))
-        return Contents("zip", files, tuple(self._troubles), self._complete, self._unsafe)
+        return Contents("zip", files, tuple(self._problems), self._complete, self._unsafe)
 
     def _count_folders(self, entries: list[zip_reader.Entry]) -> None:
         """Refuse archives with too many folders; entries with too long names are refused one by one."""
@@ -321,7 +321,7 @@ class _ZipReading:
                 folders.add(path if entry.is_folder else path.parent)
 
     def _refuse(self, code: Code, message: str, help_: str, where: str = "", *, repair: bool = False) -> None:
-        self._troubles.add(Diagnostic(code, message, help_, where, repair=repair))
+        self._problems.add(Diagnostic(code, message, help_, where, repair=repair))
 
     def _read_all(self, entries: list[zip_reader.Entry]) -> None:
         if len(entries) > MAX_FILES:
@@ -332,17 +332,17 @@ class _ZipReading:
         if any("\\" in entry.name for entry in entries):
             message = "folders and files are separated by backslashes, which few programs understand"
             help_ = "pack the folder again with another program"
-            self._troubles.add(Diagnostic(codes.ARCHIVE_BACKSLASHES, message, help_, repair=True))
+            self._problems.add(Diagnostic(codes.ARCHIVE_BACKSLASHES, message, help_, repair=True))
         for entry in entries:
             try:
                 self._read(entry)
             except UnreadableError as error:
                 self._complete = False
-                self._troubles.add(error.trouble)
+                self._problems.add(error.problem)
                 self._wasted += min(self._left, _DEFLATE_RATIO * entry.packed)
                 if self._wasted > _MAX_WASTED_BYTES:
                     return
-            except zip_reader.TooMuchError:
+            except zip_reader.SizeLimitError:
                 self._complete = False
                 self._report_bomb(safe_text(entry.name))
                 return
@@ -371,17 +371,17 @@ class _ZipReading:
         self._left -= len(content)
         if lie:
             help_ = "pack the folder again"
-            self._troubles.add(Diagnostic(codes.ARCHIVE_HEADERS, lie, help_, shown, repair=True))
+            self._problems.add(Diagnostic(codes.ARCHIVE_HEADERS, lie, help_, shown, repair=True))
         self._take(entry.name, content)
 
     def _take(self, name: str, content: bytes) -> None:
         bad = list(name_problems(name))
-        for trouble in bad:
-            self._troubles.add(trouble)
+        for problem in bad:
+            self._problems.add(problem)
         path, spelled = path_of(name), spelled_path_of(name)
         if bad:
             self._unsafe[name] = content
-        elif path in self._files and self._spelled[folded(path)] == spelled:
+        elif path in self._files and self._paths[folded(path)] == spelled:
             same = self._files[path] == content
             message = f"'{safe_text(path)}' is in the archive twice" + ("" if same else ", with different contents")
             self._refuse(codes.ARCHIVE_DUPLICATE, message, "keep one of them", safe_text(path), repair=same)
@@ -391,7 +391,7 @@ class _ZipReading:
     def _fits(self, path: PurePosixPath) -> bool:
         """Whether no other file or folder so far is the same place on some computer."""
         for place in (path, *list(path.parents)[:-1]):
-            other = self._spelled.setdefault(folded(place), place)
+            other = self._paths.setdefault(folded(place), place)
             if other != place:
                 message = f"{safe_text(place)} and {safe_text(other)} are one file on some computers"
                 self._refuse(codes.ARCHIVE_COLLISION, message, "rename one", safe_text(place))
@@ -409,7 +409,7 @@ class _ZipReading:
             return
         message = f"other programs left behind what is not used: {_some(entries)}"
         help_ = "delete them before packing"
-        self._troubles.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, repair=True))
+        self._problems.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, repair=True))
 
     def _without_records(self, entries: list[zip_reader.Entry]) -> list[zip_reader.Entry]:
         """Leave out records of runs, and report them: they get packed with a team's working folder."""
@@ -418,7 +418,7 @@ class _ZipReading:
         records = record_folders(files, folders)
         for record in sorted(records):
             message, help_ = f"{safe_text(record)} is the record of a run: it is not used", "delete it before packing"
-            self._troubles.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, safe_text(record), repair=True))
+            self._problems.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, safe_text(record), repair=True))
         of_records = {
             entry.name for entry in short if not records.isdisjoint([path_of(entry.name), *path_of(entry.name).parents])
         }
@@ -429,14 +429,14 @@ class _ZipReading:
             return
         message = f"the archive does not say how its names are encoded; they may be read wrongly: {_some(entries)}"
         help_ = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
-        self._troubles.add(Diagnostic(codes.ARCHIVE_NAME_GUESSED, message, help_))
+        self._problems.add(Diagnostic(codes.ARCHIVE_NAME_GUESSED, message, help_))
 
     def _report_folders(self, entries: list[zip_reader.Entry]) -> None:
         for entry in entries:
-            for trouble in name_problems(entry.name) if path_of(entry.name).parts else ():  # "./" is harmless
-                if trouble.code == "archive.outside":
+            for problem in name_problems(entry.name) if path_of(entry.name).parts else ():  # "./" is harmless
+                if problem.code == "archive.outside":
                     # A folder without its files is not missed.
-                    self._troubles.add(replace(trouble, code=codes.ARCHIVE_OUTSIDE_FOLDER, repair=True))
+                    self._problems.add(replace(problem, code=codes.ARCHIVE_OUTSIDE_FOLDER, repair=True))
             if entry.special:
                 self._refuse(
                     codes.ARCHIVE_LINK, f"'{safe_text(entry.name)}' is a link or a device", "pack the folder itself"
@@ -445,7 +445,7 @@ class _ZipReading:
         needed = {parent for path in self._files for parent in list(path.parents)[:-1]}
         if needed - have:
             message = "the archive has no entries of their own for its folders, which does no harm"
-            self._troubles.add(Diagnostic(codes.ARCHIVE_NO_FOLDERS, message, repair=True))
+            self._problems.add(Diagnostic(codes.ARCHIVE_NO_FOLDERS, message, repair=True))
 
 
 def _some(entries: list[zip_reader.Entry]) -> str:
@@ -453,7 +453,7 @@ def _some(entries: list[zip_reader.Entry]) -> str:
     return ", ".join(names[:_SHOWN_NAMES]) + (", …" if len(names) > _SHOWN_NAMES else "")
 
 
-def _report_nested(files: Files, troubles: Problems) -> None:
+def _report_nested(files: Files, problems: Problems) -> None:
     for path, content in files.items():
         kinds = (kind for at, magic, kind in _CONTAINERS if content[at : at + len(magic)] == magic)
         kind = next(kinds, "a tar archive" if _TARRED.search(path.name) else "")
@@ -461,4 +461,4 @@ def _report_nested(files: Files, troubles: Problems) -> None:
             shown = safe_text(path)
             message = f"{shown} is {kind} inside the submission, which is not unpacked"
             help_ = "pack what is in it instead, if the programs need it"
-            troubles.add(Diagnostic(codes.ARCHIVE_NESTED, message, help_, shown))
+            problems.add(Diagnostic(codes.ARCHIVE_NESTED, message, help_, shown))

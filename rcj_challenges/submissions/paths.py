@@ -94,7 +94,7 @@ def folded(path: PurePosixPath) -> str:
 
 
 def name_problems(name: str) -> Iterator[Diagnostic]:
-    """Return what is wrong with a name, as an archive has it."""
+    """The problems of a name, as an archive has it."""
     shown = safe_text(name)
     path = path_of(name)
     if path.is_absolute() or ".." in path.parts or not path.parts or _DRIVE.match(name):

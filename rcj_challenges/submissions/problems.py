@@ -12,7 +12,7 @@ from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize
 
 MAX_OF_A_KIND = 10
-"""Of one kind of trouble so many are listed one by one; the rest is counted."""
+"""Of one kind of problem so many are listed one by one; the rest is counted."""
 
 MAX_PATH_SHOWN = 1000
 """The path that was given on the command line is shown as it was given, unless it is absurd."""
@@ -22,22 +22,22 @@ _MAX_CHARACTERS = 120
 
 @dataclass
 class Problems:
-    """A list of troubles that stays short, however many there are."""
+    """A list of problems that stays short, however many there are."""
 
     _found: list[Diagnostic] = field(default_factory=list)
     _count: Counter[Code] = field(default_factory=Counter)
 
-    def add(self, trouble: Diagnostic) -> None:
+    def add(self, problem: Diagnostic) -> None:
         """Note one."""
-        self._count[trouble.code] += 1
-        if self._count[trouble.code] <= MAX_OF_A_KIND:
-            self._found.append(trouble)
+        self._count[problem.code] += 1
+        if self._count[problem.code] <= MAX_OF_A_KIND:
+            self._found.append(problem)
 
     def __iter__(self) -> Iterator[Diagnostic]:
         yield from self._found
         for code, count in self._count.items():
             if count > MAX_OF_A_KIND:
-                first = next(trouble for trouble in self._found if trouble.code == code)
+                first = next(problem for problem in self._found if problem.code == code)
                 more = f"and {count - MAX_OF_A_KIND} more of this kind ({code})"
                 yield Diagnostic(code, more, first.help, repair=first.repair, level=first.level)
 

@@ -41,7 +41,7 @@ _LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
 _PICTURE_ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp", ""})
 _MAX_TOP_FOLDERS = 3
 _SHOWN_FILES = 12
-_LEAST_LIKENESS = 0.75
+_MIN_SIMILARITY = 0.75
 
 
 class Team:
@@ -272,7 +272,7 @@ def called_after(name: str) -> str:
 
 
 def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
-    """Return what comes of opening contents that have been read from a path; a team may be named after it."""
+    """Open contents that have been read from a path; a team may be named after it."""
     fallback = called_after(path.resolve().name)
     layouts = [*without_top_folders(contents.files), *_inside_entry_folder(contents.files, seats)]
     single = str(next(iter(contents.files), "")) if contents.kind == "program" else ""
@@ -416,10 +416,10 @@ def _nearest(entry: str, names: list[str]) -> str | None:
     wanted = PurePosixPath(entry).name
     names = [name for name in names if _numbers(PurePosixPath(name).stem) == _numbers(PurePosixPath(entry).stem)]
     by_file_name = {PurePosixPath(name).name: name for name in reversed(names)}
-    found = nearest_name(entry, names, _LEAST_LIKENESS)
+    found = nearest_name(entry, names, _MIN_SIMILARITY)
     if found is not None:
         return found
-    close = nearest_name(wanted, by_file_name, _LEAST_LIKENESS)
+    close = nearest_name(wanted, by_file_name, _MIN_SIMILARITY)
     return None if close is None else by_file_name[close]
 
 

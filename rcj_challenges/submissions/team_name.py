@@ -22,7 +22,7 @@ _MAX_NAME_FILE_BYTES = 65_536
 _NEAR_STEMS = frozenset({"teamname", "teamsname", "teamnames", "teamnametxt", "team", "name"})
 _NEAR_ENDINGS = frozenset({"", ".txt", ".text", ".md"})
 _DOCUMENT_ENDINGS = frozenset({".rtf", ".doc", ".docx", ".odt", ".pdf", ".pages"})
-_LEAST_LIKENESS = 0.85
+_MIN_SIMILARITY = 0.85
 _JOINER = "\u200d"  # holds some emoji together
 # Letters that show nothing: fillers of Hangul and the empty Braille pattern.
 _BLANKS = dict.fromkeys((0x115F, 0x1160, 0x2800, 0x3164, 0xFFA0), " ")
@@ -37,37 +37,37 @@ class TeamName:
         text: safe to show: one line of at most 32 printable characters.
         path: the file it was read from; None if there is none.
         given: whether it comes from that file, not from the archive's own name.
-        troubles: what is odd about it.
+        problems: what is odd about it.
     """
 
     text: str
     path: PurePosixPath | None
     given: bool
-    troubles: tuple[Diagnostic, ...]
+    problems: tuple[Diagnostic, ...]
 
     @property
     def warnings(self) -> list[Diagnostic]:
-        """The troubles that change what is shown, or that should be put right."""
-        return [trouble for trouble in self.troubles if trouble.level != "passed"]
+        """The problems that change what is shown, or that should be put right."""
+        return [problem for problem in self.problems if problem.level != "passed"]
 
 
 def find_team_name(files: Files, fallback: str) -> TeamName:
     """Return the name that a team gave itself, or else ``fallback``, the name of its folder or archive."""
     instead = safe_name(fallback) or "team"
-    path, troubles = _name_file(files)
+    path, problems = _name_file(files)
     if path is None:
-        return TeamName(instead, None, given=False, troubles=troubles)
+        return TeamName(instead, None, given=False, problems=problems)
     text, more = _decoded(files[path])
     lines = [line.strip() for line in unicodedata.normalize("NFC", text).splitlines() if line.strip()]
     name = safe_name(lines[0]) if lines else ""
     if not name:
         message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
         more = (*more, _warning(codes.IDENTITY_NAME_EMPTY, message, "write the team's name into it", repair=False))
-        return TeamName(instead, path, given=False, troubles=(*troubles, *more))
+        return TeamName(instead, path, given=False, problems=(*problems, *more))
     about = _line_problems(lines, name)
-    if any(trouble.code == "identity.name_encoding" for trouble in more):
-        about = [replace(trouble, repair=False) for trouble in about]  # only the team knows what it says
-    return TeamName(name, path, given=True, troubles=(*troubles, *more, *about))
+    if any(problem.code == "identity.name_encoding" for problem in more):
+        about = [replace(problem, repair=False) for problem in about]  # only the team knows what it says
+    return TeamName(name, path, given=True, problems=(*problems, *more, *about))
 
 
 def safe_name(text: str) -> str:
@@ -125,7 +125,7 @@ def may_be_name_file(path: PurePosixPath) -> bool:
 
 def _near_stem(path: PurePosixPath) -> bool:
     stem = "".join(character for character in path.stem.casefold() if character.isalnum())
-    return stem in _NEAR_STEMS or similarity(stem, "teamname") >= _LEAST_LIKENESS
+    return stem in _NEAR_STEMS or similarity(stem, "teamname") >= _MIN_SIMILARITY
 
 
 def _decoded(content: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
@@ -139,29 +139,29 @@ def _decoded(content: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
     # What was cut off here, or ends in the middle of a character of UTF-16, is not held against it.
     cut = len(content) == _MAX_NAME_FILE_BYTES or marked
     text = codecs.getincrementaldecoder(encoding)("replace").decode(content, final=not cut)
-    troubles = []
+    problems = []
     if marked:
         message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
-        troubles.append(_note(codes.IDENTITY_NAME_UTF16, message, repair=True))
+        problems.append(_note(codes.IDENTITY_NAME_UTF16, message, repair=True))
     elif "\ufffd" in text and "\ufffd".encode() not in content:
         # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
         if any(character > "\x7f" for character in text.replace("\ufffd", "")):
             message = f"{NAME_FILE} is not in UTF-8: characters that cannot be read are shown as \ufffd"
-            troubles.append(_warning(codes.IDENTITY_NAME_ENCODING, message, "save it in UTF-8", repair=False))
+            problems.append(_warning(codes.IDENTITY_NAME_ENCODING, message, "save it in UTF-8", repair=False))
         else:
             text = content.decode("cp1252", "replace")
             message = f"{NAME_FILE} is not in UTF-8: it was read as Windows-1252, the letters of Western Europe"
             help_ = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
-            troubles.append(
+            problems.append(
                 _warning(codes.IDENTITY_NAME_ENCODING, f"{message}, which may be wrong", help_, repair=False)
             )
     elif content.startswith(codecs.BOM_UTF8):
         message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
-        troubles.append(_note(codes.IDENTITY_NAME_BOM, message, repair=True))
+        problems.append(_note(codes.IDENTITY_NAME_BOM, message, repair=True))
     if "\r" in text:
         message = f"{NAME_FILE} has the line ends of Windows, which are not part of the name"
-        troubles.append(_note(codes.IDENTITY_NAME_LINE_ENDS, message, repair=True))
-    return text, tuple(troubles)
+        problems.append(_note(codes.IDENTITY_NAME_LINE_ENDS, message, repair=True))
+    return text, tuple(problems)
 
 
 def _line_problems(lines: list[str], name: str) -> list[Diagnostic]:

@@ -94,10 +94,10 @@ class UnreadableError(Exception):
 
     def __init__(self, code: Code, message: str, help_: str = _PACK_AGAIN, where: str = "") -> None:
         super().__init__(message)
-        self.trouble = Diagnostic(code, message, help_, where)
+        self.problem = Diagnostic(code, message, help_, where)
 
 
-class TooMuchError(Exception):
+class SizeLimitError(Exception):
     """More comes out of an entry than was allowed."""
 
 
@@ -111,17 +111,17 @@ class _Bounds:
     count: int
 
 
-def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
-    """Return the entries of an archive, and add what is odd about it as a whole to ``troubles``.
+def read_entries(data: bytes, problems: Problems) -> list[Entry]:
+    """Return the entries of an archive, and add what is odd about it as a whole to ``problems``.
 
     Raises:
         UnreadableError: it is not a ZIP, or its table of contents is damaged.
     """
-    bounds = _find_bounds(data, troubles)
+    bounds = _find_bounds(data, problems)
     entries = list(_entries(data, bounds))
     if len(entries) != bounds.count:
         message = f"the archive says it has {counted(bounds.count, 'entry', 'entries')}, and has {len(entries)}"
-        troubles.add(Diagnostic(codes.ARCHIVE_HEADERS, message, _PACK_AGAIN, repair=True))
+        problems.add(Diagnostic(codes.ARCHIVE_HEADERS, message, _PACK_AGAIN, repair=True))
     _check_overlap(entries, bounds)
     return entries
 
@@ -131,13 +131,13 @@ def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
 
     Raises:
         UnreadableError: it is damaged.
-        TooMuchError: more than ``most`` bytes come out of it, whatever it says about its size.
+        SizeLimitError: more than ``most`` bytes come out of it, whatever it says about its size.
     """
     start, lie = _content_start(data, entry)
     packed = memoryview(data)[start : start + entry.packed]
     if entry.method == _STORED:
         if len(packed) > most:
-            raise TooMuchError
+            raise SizeLimitError
         content = bytes(packed)
     else:
         unpacker = zlib.decompressobj(-zlib.MAX_WBITS)
@@ -146,7 +146,7 @@ def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
         except zlib.error:
             raise _damaged(entry, "cannot be unpacked") from None
         if len(content) > most:
-            raise TooMuchError
+            raise SizeLimitError
         if not unpacker.eof:
             raise _damaged(entry, "breaks off in the middle")
     if len(content) != entry.size:
@@ -161,7 +161,7 @@ def _damaged(entry: Entry, message: str) -> UnreadableError:
     return UnreadableError(codes.ARCHIVE_DAMAGED, f"'{shown}' is damaged: it {message}", where=shown)
 
 
-def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
+def _find_bounds(data: bytes, problems: Problems) -> _Bounds:
     """Find the archive's end, however much follows it."""
     at = len(data)
     for _ in range(_MAX_ENDS_TRIED):
@@ -170,7 +170,7 @@ def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
             break
         if at + _END.size > len(data):
             continue
-        bounds = _bounds_at(data, at, troubles)
+        bounds = _bounds_at(data, at, problems)
         if bounds is not None:
             return bounds
     if data.startswith((b"PK\x03\x04", b"PK\x05\x06")):
@@ -182,8 +182,8 @@ def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
     raise UnreadableError(codes.ARCHIVE_NOT_ZIP, "this is not a ZIP archive", "pack the folder as a ZIP archive")
 
 
-def _bounds_at(data: bytes, at: int, troubles: Problems) -> _Bounds | None:
-    """Return what the end of the archive at this place says, if that can be."""
+def _bounds_at(data: bytes, at: int, problems: Problems) -> _Bounds | None:
+    """The bounds by an end of the archive at this place; None if there is none."""
     _, disk, first_disk, here, count, size, offset, comment = _END.unpack_from(data, at)
     end = at
     wide = _wide_end(data, at)
@@ -210,12 +210,12 @@ def _bounds_at(data: bytes, at: int, troubles: Problems) -> _Bounds | None:
     rest = len(data) - (at + _END.size + comment)
     if rest:
         message = _stray(rest, "follows", "follow")
-        troubles.add(Diagnostic(codes.ARCHIVE_TRAILING, message, _PACK_AGAIN, repair=True))
+        problems.add(Diagnostic(codes.ARCHIVE_TRAILING, message, _PACK_AGAIN, repair=True))
     if offset < start and data.startswith(b"PK\x03\x04"):
         raise UnreadableError(codes.ARCHIVE_TWO, "these are two archives in one file", _PACK_AGAIN)
     if offset < start:
         message = _stray(start - offset, "stands before", "stand before")
-        troubles.add(Diagnostic(codes.ARCHIVE_PREPENDED, message, _PACK_AGAIN, repair=True))
+        problems.add(Diagnostic(codes.ARCHIVE_PREPENDED, message, _PACK_AGAIN, repair=True))
     return _Bounds(start, end, start - offset, count)
 
 

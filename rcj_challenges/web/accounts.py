@@ -79,7 +79,7 @@ def new_code() -> str:
 
 
 def code_hmac(code: str) -> str:
-    """Return what is stored of a code; small letters, blanks and letters that look like digits are as meant."""
+    """The hash of a code that is stored; small letters, blanks and letters that look like digits are as meant."""
     text = code.upper().translate(_AS_MEANT)
     return hmac.new(str(settings.SECRET_KEY).encode(), b"code:" + text.encode(), hashlib.sha256).hexdigest()
 
@@ -109,7 +109,7 @@ def enter(request: HttpRequest, team: Team) -> None:
 
 
 def viewer_of(request: HttpRequest) -> Viewer:
-    """Return what a request is signed in as; a team whose card was replaced is signed out."""
+    """The viewer of a request; a team whose card was replaced is signed out."""
     user: Any = request.user
     if user.is_authenticated:
         return Viewer(account=user)

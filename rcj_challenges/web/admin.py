@@ -74,7 +74,7 @@ class SeasonAdmin(Base):
     list_display = ("title", "scenario", "opens_at", "closes_at", "is_current", "begun_at", "ended_at")
 
     def get_readonly_fields(self, request: HttpRequest, obj: Any = None) -> tuple[str, ...]:
-        """Return what is pinned once the ladder has begun."""
+        """The settings that are pinned once the ladder has begun."""
         return ("scenario", "overrides", "ladder_overrides") if obj is not None and obj.begun_at is not None else ()
 
 

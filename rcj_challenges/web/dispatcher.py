@@ -197,7 +197,7 @@ class Dispatcher:
         answer = self._answer(job, claim, {"kind": "check", "folder": str(folder), **self._about(submission)})
         report = answer["report"]
         if answer["host"] or report["level"] == "unchecked":
-            raise _HostFaultError(report["hindrance"] or "the check itself failed")
+            raise _HostFaultError(report["blocked_by"] or "the check itself failed")
         state = State.REJECTED if report["level"] == "error" else State.ACCEPTED
         verdict = Verdict(state, report["level"], report["digest"], report)
 

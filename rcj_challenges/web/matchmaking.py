@@ -72,7 +72,7 @@ def _add_chosen(basis: Basis, wanted: int, now: datetime) -> int:
 
 
 def _met(basis: Basis) -> tuple[Counter[tuple[str, str]], list[tuple[str, str]]]:
-    """Return how often each pair has met or will meet, and the pairs of matches in the queue."""
+    """The number of matches of each pair, played or queued, and the pairs of those in the queue."""
     rated = Match.objects.filter(basis=basis, kind=MatchKind.RATED, void="")
     met: Counter[tuple[str, str]] = Counter()
     waiting = []

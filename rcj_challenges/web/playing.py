@@ -41,7 +41,7 @@ class MatchPlace(Workplace):
 
 
 def job_of(match: Match, sandbox: str) -> MatchJob:
-    """Return what is played."""
+    """The job of a match."""
     sides = {"blue": match.blue, "yellow": match.yellow}
     names = {side: one.team.public_name for side, one in sides.items()}
     seats = {side: (Program(one.sha256, one.digest, names[side]),) for side, one in sides.items()}

@@ -48,12 +48,12 @@ SIDES = ("blue", "yellow")
 
 
 def own_versions() -> dict[str, str]:
-    """Return what decides the bits of results on this computer."""
+    """The versions that decide the bits of results on this computer."""
     return deciding(versions().model_dump())
 
 
 def current_basis(season: Season) -> Basis | None:
-    """Return what new matches of a season are played with; None: its ladder has not begun."""
+    """The basis of new matches of a season; None: its ladder has not begun."""
     return Basis.objects.filter(season=season).first()
 
 

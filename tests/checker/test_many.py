@@ -53,7 +53,7 @@ def test_a_check_that_dies_is_a_verdict_and_takes_no_other_with_it(pack, monkeyp
 def test_a_submission_that_is_gone_when_its_turn_comes_is_no_fault_of_its_team(tmp_path):
     (report,) = check_many([tmp_path / "gone.zip"], MATCH, UNPLAYED, 1, lambda _: None)
     assert report.level == "unchecked"
-    assert "there is no such file" in report.hindrance
+    assert "there is no such file" in report.blocked_by
 
 
 def test_a_check_that_does_not_end_is_ended(pack, monkeypatch):

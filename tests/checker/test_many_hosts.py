@@ -74,7 +74,7 @@ def test_what_this_computer_cannot_do_is_no_verdict_on_a_team(team, monkeypatch,
     monkeypatch.setattr(module, stage, raising(error))
     checked = check_file(team(), MATCH, SHORT)
     assert checked.level == "unchecked"
-    assert checked.hindrance
+    assert checked.blocked_by
     assert checked.count("error") == 0
     assert "It cannot play" not in verdict(checked)
 
@@ -84,7 +84,7 @@ def test_a_temporary_folder_that_is_not_there_is_no_verdict_on_a_team(team, tmp_
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "nowhere"))
     checked = check_file(path, MATCH, SHORT)
     assert checked.level == "unchecked"
-    assert f"the temporary folder {tmp_path / 'nowhere'}" in checked.hindrance
+    assert f"the temporary folder {tmp_path / 'nowhere'}" in checked.blocked_by
 
 
 def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_on_a_team(team, monkeypatch):
@@ -121,7 +121,7 @@ def test_a_fault_of_ours_is_reported_as_such_everywhere_and_ends_with_3(team, mo
 def test_a_match_that_cannot_be_played_is_no_verdict(team, monkeypatch, error, exit_code):
     monkeypatch.setattr(starting, "check_start", raising(error))
     checked = check_file(team(), MATCH, SHORT)
-    assert (checked.level, checked.hindrance) == ("unchecked", "cannot go on")
+    assert (checked.level, checked.blocked_by) == ("unchecked", "cannot go on")
     assert [finding.code for stage in checked.stages for finding in stage.findings][-1] == "check.impossible"
     assert report(checked).exit_code == exit_code
 
@@ -138,7 +138,7 @@ def test_a_check_that_the_system_ends_for_want_of_memory_is_no_verdict(team, mon
     monkeypatch.setattr(many, "_START", "import os; os.kill(os.getpid(), 9)")
     (checked,) = check_many([team()], MATCH, SHORT, 1, lambda _: None)
     assert checked.level == "unchecked"
-    assert "memory" in checked.hindrance
+    assert "memory" in checked.blocked_by
 
 
 @pytest.mark.nightly

@@ -304,7 +304,7 @@ def test_a_fault_of_ours_is_reported_and_is_no_verdict_on_the_team(pack, monkeyp
     report = check_file(pack(BEGIN + LOOP), MATCH, SHORT)
     (found,) = findings(report, "start")
     assert (found.code, found.level, report.level) == ("check.broken", "unchecked", "unchecked")
-    assert report.hindrance == found.message
+    assert report.blocked_by == found.message
     assert "\x1b" not in found.message
     assert report.stages[-1].skipped.endswith("could not be checked")
     monkeypatch.setattr(check_module, "inspect", stumble)

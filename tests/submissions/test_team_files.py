@@ -68,8 +68,8 @@ def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path:
     without = open_team(folder_of(tmp_path / "team", PRESENT), BLUE)
     packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT | record)), BLUE)
     assert with_record.digest == without.digest == packed.digest
-    troubles = archive.read_contents(tmp_path / "team.zip").troubles
-    (reported,) = [trouble for trouble in troubles if trouble.code == "archive.leftovers"]
+    problems = archive.read_contents(tmp_path / "team.zip").problems
+    (reported,) = [problem for problem in problems if problem.code == "archive.leftovers"]
     assert "runs/20210618-001159-match" in reported.message
 
 
@@ -353,6 +353,6 @@ def test_of_two_files_that_are_one_on_a_mac_the_composed_one_is_read_and_the_oth
     folder = folder_of(tmp_path / "team", {"robot.py": b"x = 1", apart: b"x = 2", whole: b"x = 3"})
     contents = archive.read_contents(folder)
     assert contents.files[PurePosixPath(whole)] == b"x = 3"
-    (trouble,) = [trouble for trouble in contents.troubles if trouble.code == "archive.collision"]
-    assert trouble.level == "warning"
-    assert "größe.py" in trouble.message
+    (problem,) = [problem for problem in contents.problems if problem.code == "archive.collision"]
+    assert problem.level == "warning"
+    assert "größe.py" in problem.message

@@ -41,7 +41,7 @@ def test_result_that_comes_after_the_team_was_deleted_is_dropped_with_its_files(
             Path(request["out"]).write_text("repaired", encoding="utf-8")
         delete(team)
         return {
-            "report": {"level": "passed", "digest": "d", "hindrance": ""}, "host": False, "repaired": request.get("out")
+            "report": {"level": "passed", "digest": "d", "blocked_by": ""}, "host": False, "repaired": request.get("out")
         }  # fmt: skip
 
     monkeypatch.setattr(Dispatcher, "_answer", answer)

@@ -32,7 +32,7 @@ def missing_devices(notes: Iterable[Note]) -> list[str]:
 
 
 def complaints_in(notes: Iterable[Note]) -> list[tuple[str, str]]:
-    """Return what was refused or ignored, safe to show, and what to do about it, each once and in order."""
+    """Calls that were refused or ignored, safe to show, and advice on them, each once and in order."""
     return list(dict.fromkeys((sanitize(note.message), sanitize(note.help)) for note in notes if note.help))
 
 
@@ -61,7 +61,7 @@ def none_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any], notes: I
 
 
 def device_help(scenario: Scenario, team: Team, robot: str, name: str, missing: Collection[str]) -> str:
-    """Return what to do about a missing device that a program requested.
+    """Advice on a missing device that a program requested.
 
     Args:
         scenario: what was played.

@@ -23,7 +23,7 @@ _QUIET_EXCEPT = re.compile(
 
 
 def ending_loop_help(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
-    """Return what to do about a main loop that ends at once; empty if there is none."""
+    """Advice on a main loop that ends at once; empty if there is none."""
     place = _find(_ENDS_AT_ZERO, files, entry)
     return place and (
         f"step returns 0 while the match goes on and -1 at its end, so the loop in {place} ends at once: write while "
@@ -32,7 +32,7 @@ def ending_loop_help(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath)
 
 
 def hidden_error_help(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
-    """Return what to do about an ``except`` that hides every error; empty if there is none."""
+    """Advice on an ``except`` that hides every error; empty if there is none."""
     place = _find(_QUIET_EXCEPT, files, entry)
     return place and (
         f'the "except" in {place} hides every error: write traceback.print_exc() there, and import traceback at the top'

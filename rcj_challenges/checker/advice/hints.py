@@ -109,7 +109,7 @@ def whereabouts_in(log: str) -> str:
 
 
 def standing_help(scenario: Scenario, team: Team, robot: str, notes: Sequence[Note] = ()) -> str:
-    """Return what to do about a robot that never moves although its program did not fail."""
+    """Advice on a robot that never moves although its program did not fail."""
     missing = missing_devices(notes)
     for name in missing:
         return f'it asks for a device "{sanitize(name)}"; {device_help(scenario, team, robot, name, missing)}'

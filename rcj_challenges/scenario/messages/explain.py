@@ -192,7 +192,7 @@ class _Explainer:
         return kind if is_model(kind) else None
 
     def _about(self, above: Path, key: str) -> str:
-        """Return what a key is for, as its model says."""
+        """The description of a key in its model."""
         model = self._model_at(above)
         infos = model.model_fields.items() if model else ()
         text = next((info.description for name, info in infos if (info.alias or name) == key), None)
@@ -252,13 +252,13 @@ class _Explainer:
         return mark.error(UNKNOWN_WORD, message, help_, in_names(self.root, mistake.path))
 
     def _of_param(self, node: Node | None) -> str:
-        """Return how a param is used whose name stands alone; empty: it is not the name of one."""
+        """The form of a param whose name stands alone; empty: it is not the name of one."""
         name = str(node.value).strip("${} ") if isinstance(node, Leaf) else ""
         is_param = node_at(self.root, ("params", name)) is not None
         return f"the value of that param is {{param: {name}}}" if is_param else ""
 
     def _of_place(self, shape: Shape, node: Node | None) -> str:
-        """Return how a place is written that is a name or two numbers alone; empty: no place is expected."""
+        """The form of a place that is a name or two numbers alone; empty: no place is expected."""
         if node is None or without_none(shape) != At:
             return ""
         if isinstance(node, Items):
@@ -270,7 +270,7 @@ class _Explainer:
 
 
 def _with_its_key(shape: Shape, node: Node | None) -> str:
-    """Return how a word is written that stands alone, or behind another key: `enters`, `enters: …`, `type: enters`."""
+    """The form of a word that stands alone, or behind another key: `enters`, `enters: …`, `type: enters`."""
     listed = node.entries if isinstance(node, Entries) else {}
     leaves = (one for one in (*listed.values(), node) if isinstance(one, Leaf))
     written = [*listed, *(str(one.value) for one in leaves)]

@@ -72,7 +72,7 @@ def seed_of(secret: str, use: str) -> int:
 
 
 def secret_hash(secret: str) -> str:
-    """Return what is published of a secret when a season begins."""
+    """The hash that is published when a season begins."""
     return hashlib.sha256(secret.encode()).hexdigest()
 
 

@@ -127,7 +127,7 @@ def _own_robots(record: Path, own: list[str]) -> frozenset[tuple[int, str]]:
 
 
 def _own_logs(record: Path, own: list[str]) -> dict[str, str]:
-    """Return what programs of the viewer's side printed, by robot."""
+    """The output of programs of the viewer's side, by robot."""
     from rcj_challenges.tournament.site.private import own_log  # noqa: PLC0415 - loads the code of matches
 
     robots = _own_robots(record, own) if own else frozenset()
@@ -145,7 +145,7 @@ def _own_logs(record: Path, own: list[str]) -> dict[str, str]:
 
 @require_GET
 def match_log(request: HttpRequest, pk: int, robot: str) -> HttpResponse:
-    """Return what a program of the viewer's side printed."""
+    """Show the output of a program of the viewer's side."""
     _, found, own = _seen_match(request, pk)
     logs = _own_logs(record_folder(current_site().folder, found), own)
     if robot not in logs:

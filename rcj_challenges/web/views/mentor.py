@@ -112,7 +112,7 @@ def _remove_files(deleted: Team) -> None:
 
 
 def _card(request: HttpRequest, team: Team, code: str) -> dict[str, Any]:
-    """Return what is printed on a card. The code stands behind #, so that it is in no log of a server."""
+    """The address on a card. The code stands behind #, so that it is in no log of a server."""
     address, is_reached = public_address(request, "/enter")
     drawn = io.BytesIO()
     segno.make(f"{address}#{code}", error="m").save(drawn, kind="svg", xmldecl=False, svgns=True, border=2, scale=4)

@@ -98,7 +98,7 @@ def begun(request: HttpRequest) -> datetime:
 
 
 def progress_of(submission: Submission) -> dict[str, Any]:
-    """Return what is known of a submission that is not yet checked: its place, an estimate, its stage."""
+    """The progress of a submission that is not yet checked: its place, an estimate, its stage."""
     job = Job.objects.filter(submission=submission).order_by("-id").first()
     state: dict[str, Any] = {"state": submission.state, "stage": "", "place": 0, "estimate_s": None}
     if job is None:

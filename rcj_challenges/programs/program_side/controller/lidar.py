@@ -109,7 +109,7 @@ class Lidar(Sensor):
         return bytearray() if data_type == "buffer" else []
 
     def getHorizontalResolution(self) -> int:
-        """Return how many readings a layer has."""
+        """The number of readings of a layer."""
         return int(self._rcj_spec["width"])
 
     def getNumberOfLayers(self) -> int:
@@ -117,7 +117,7 @@ class Lidar(Sensor):
         return 1
 
     def getNumberOfPoints(self) -> int:
-        """Return how many readings there are in all."""
+        """The number of readings in all."""
         return self.getHorizontalResolution()
 
     def getMinRange(self) -> float:

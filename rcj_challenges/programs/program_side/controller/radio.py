@@ -55,7 +55,7 @@ class Receiver(Sensor):
         self._rcj_queue = self._rcj_connection.queues[self._rcj_index]
 
     def getQueueLength(self) -> int:
-        """Return how many packets wait.
+        """The number of packets that wait.
 
         Example:
             ``while receiver.getQueueLength(): … receiver.nextPacket()``
@@ -277,7 +277,7 @@ class Emitter(Device):
         self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, channel)
 
     def getRange(self) -> float:
-        """Return how far it sends, in m."""
+        """Its range in m."""
         return self._rcj_range
 
     def setRange(self, range: float) -> None:

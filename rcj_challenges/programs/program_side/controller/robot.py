@@ -148,7 +148,7 @@ class Robot:
         return devices[index] if 0 <= index < len(devices) else None
 
     def getNumberOfDevices(self) -> int:
-        """Return how many devices the robot has."""
+        """The number of devices of the robot."""
         return len(self._rcj_connection.devices)
 
     def _rcj_devices(self) -> dict[str, Device]:

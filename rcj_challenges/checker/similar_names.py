@@ -12,7 +12,7 @@ from rcj_challenges.core.similarity import similarity
 BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 """What an empty file may consist of."""
 
-_LEAST_LIKENESS = 0.75
+_MIN_SIMILARITY = 0.75
 _LEAST_CHARACTERS = 5
 _MANY_CHARACTERS = 9
 """A name of this length is not part of another one by chance; ``robot`` is part of the names of three robots."""
@@ -42,7 +42,7 @@ def alike(name: str, wanted: str) -> bool:
         return False
     if min(len(one), len(other)) >= _LEAST_CHARACTERS and (one in other or other in one):
         return True
-    return similarity(one, other) >= _LEAST_LIKENESS
+    return similarity(one, other) >= _MIN_SIMILARITY
 
 
 def same_number(name: str, wanted: str) -> bool:
