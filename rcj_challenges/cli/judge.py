@@ -13,7 +13,7 @@ import typer
 from rcj_challenges.cli.app import ORGANIZE, app
 from rcj_challenges.cli.options import Json, Overrides, Runs, RunsFolder, complete_scenarios
 from rcj_challenges.cli.stdio import print_json, print_lines
-from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.amounts import Noun, counted
 from rcj_challenges.core.diagnostics import render_error
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.sanitize import sanitize
@@ -175,7 +175,7 @@ def _lines(judged: _Judged, *, has_other_rules: bool) -> Iterator[str]:
     for line in ranking_lines(scenario.result.rank, names, judgement.ranking, sides_change=swap):
         yield f"            {line}"
     found = judged.differences
-    yield from map(_line, found[:_MAX_SHOWN])
+    yield from (_line(one, scenario.match.period) for one in found[:_MAX_SHOWN])
     if len(found) > _MAX_SHOWN:
         yield f"  … and {len(found) - _MAX_SHOWN} more: --json has them all"
     missing, new = (sum(getattr(one, side) is None for one in found) for side in ("after", "before"))
@@ -186,10 +186,10 @@ def _lines(judged: _Judged, *, has_other_rules: bool) -> Iterator[str]:
         yield "  By its own rules the same should come out: were its files changed, or did another version play it?"
 
 
-def _line(one: Difference) -> str:
+def _line(one: Difference, period: Noun) -> str:
     from rcj_challenges.views.sentences import clock
 
-    when = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {sanitize(one.event, 60)}: "
+    when = f"  {period} {one.half} {clock(s_from_ticks(one.tick)):>7}  {sanitize(one.event, 60)}: "
     if one.before is None or one.after is None:
         which = "only now" if one.before is None else "only in the record"
         payload = ", ".join(f"{key} {sanitize(value)}" for key, value in (one.after or one.before or {}).items())

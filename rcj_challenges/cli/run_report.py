@@ -86,10 +86,11 @@ class MatchReport:
         result, folder = error.played.result, error.played.folder
         if self._as_json:
             print_json({**result, "hints": [], "folder": str(folder)})
-        where = "before the first half"
+        period = self._scenario.match.period
+        where = f"before the first {period}"
         if result["halves"]:
             half = result["halves"][-1]
-            number = f"half {half['half']} of {self._scenario.match.halves}"
+            number = f"{period} {half['half']} of {self._scenario.match.halves}"
             where = f"after {number}" if half["complete"] else f"in {number} at {clock(half['ticks'] * TICK_S)}"
             where += f": {score_lines(self._scenario, result)[0]}"
         print_lines(self._console, f"interrupted {where}", f"record: {shown_path(folder)}")

@@ -6,6 +6,7 @@ Whole numbers have no point, decimal numbers are exact; ``best_s`` is ``best (s)
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import NamedTuple
 
 _DECIMALS = 9
 
@@ -46,6 +47,28 @@ def round_score(value: float) -> int | float:
 def counted(number: int, noun: str, plural: str = "") -> str:
     """Format a count of things in words: ``1 rule``, ``3 rules``; with ``plural`` where that takes more than an s."""
     return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
+
+
+class Noun(NamedTuple):
+    """What a part of a match is called, and several of them."""
+
+    one: str
+    many: str
+
+    def __str__(self) -> str:
+        return self.one
+
+    @property
+    def a(self) -> str:
+        """Any of them: ``a half``, ``an inning``."""
+        return f"{'an' if self.one[0] in 'aeiou' else 'a'} {self.one}"
+
+    def counted(self, number: int) -> str:
+        """Format a count of them: ``1 half``, ``2 halves``."""
+        return counted(number, *self)
+
+
+HALF = Noun("half", "halves")
 
 
 def times(number: int) -> str:

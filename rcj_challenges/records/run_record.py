@@ -6,7 +6,6 @@ the damage, and a sentence says what is missing.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -46,32 +45,29 @@ def read_run(folder: Path) -> RunRecord:
     """
     result = read_result(folder)
     scenario = read_scenario(folder)
+    period = scenario.match.period
     trajectory = Trajectory.read(folder)
     if trajectory.entities != Roster.of(scenario).entities:
         raise RecordError.damaged(f"{folder.name}: {TRAJECTORY} belongs to another scenario than {SCENARIO}")
     halves = tuple(half for half in trajectory.halves if half.ticks)
     for half in halves:
         if set(half.info.teams) != set(scenario.entrants):
-            what = f"{folder.name}: half {half.info.half} was played by other seats than the scenario has"
+            what = f"{folder.name}: {period} {half.info.half} was played by other seats than the scenario has"
             raise RecordError.damaged(what)
     if not halves:
         if trajectory.damage:
             raise RecordError.damaged(f"{folder.name}: {trajectory.damage}")
         how = "match was over" if result.complete else "run was stopped"
         raise RecordError(RECORD_EMPTY, f"{folder.name}: the {how} before its first tick: there is nothing to show")
-    problems = []
+    problems, extent = [], ", ".join(f"{s_from_ticks(one.ticks):.1f} s of {period} {one.info.half}" for one in halves)
     if not result.complete:
         stopped = "it was interrupted" if result.stopped == KeyboardInterrupt.__name__ else result.stopped
         why = f" ({stopped})" if stopped else ""
-        problems.append(f"This run was not played to its end{why}: what was recorded is shown, {_extent(halves)}.")
+        problems.append(f"This run was not played to its end{why}: what was recorded is shown, {extent}.")
     if trajectory.damage:
         ticks = sum(half.ticks for half in halves)
-        problems.append(f"The recorded poses are damaged: {ticks} ticks of them could be read, {_extent(halves)}.")
+        problems.append(f"The recorded poses are damaged: {ticks} ticks of them could be read, {extent}.")
     log = read_referee_log(folder)
     if log.damage:
         problems.append(f"{log.damage} and left out.")
     return RunRecord(result, scenario, halves, log, tuple(problems))
-
-
-def _extent(halves: Iterable[HalfTrack]) -> str:
-    return ", ".join(f"{s_from_ticks(half.ticks):.1f} s of half {half.info.half}" for half in halves)

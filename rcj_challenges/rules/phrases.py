@@ -2,6 +2,7 @@
 
 from typing import Any, Protocol
 
+from rcj_challenges.core.amounts import Noun
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject
 
@@ -45,6 +46,10 @@ class Phrases(Protocol):
 
     def timer_length_s(self, timer: str) -> float | None:
         """Return the length of a timer; None if a draw or a counter decides it."""
+
+    @property
+    def period(self) -> Noun:
+        """What a half is called."""
 
     def clock_may_stop(self) -> bool:
         """Return whether a phase stops the clock of the half."""

@@ -141,6 +141,7 @@ class _Commented(PrintedLines):
     def __init__(self, console: Console, scenario: Scenario) -> None:
         super().__init__(console)
         self._commentator = Commentator(scenario)
+        self._period = scenario.match.period
 
     def half_started(self, half: HalfInfo) -> None:
         self._commentator.begin(half)
@@ -170,7 +171,7 @@ class PlainLines(_Commented):
 
     def half_started(self, half: HalfInfo) -> None:
         super().half_started(half)
-        self._print(f"half {half.half} of {half.halves}  {_seats(half)}")
+        self._print(f"{self._period} {half.half} of {half.halves}  {_seats(half)}")
 
     def progressed(self, progress: Progress) -> None:
         if progress.clock_ticks < progress.half.ticks:
@@ -226,7 +227,7 @@ class Scoreboard(_Commented):
         status.add_row(
             ProgressBar(total=half.ticks, completed=progress.clock_ticks, width=_BAR_COLUMNS),
             Text(time, no_wrap=True),
-            Text(f"half {half.half} of {half.halves}", style="dim", no_wrap=True),
+            Text(f"{self._period} {half.half} of {half.halves}", style="dim", no_wrap=True),
             _one_line(progress.phase.replace("_", " "), "dim"),
         )
         pace_line = _one_line(pace(progress) if progress.factor else "starting", "dim")

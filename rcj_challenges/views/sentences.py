@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from rcj_challenges.core.amounts import HALF, Noun
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import s_from_ticks
@@ -18,13 +19,14 @@ def clock(seconds: float) -> str:
     return f"{tenths // 600}:{tenths // 10 % 60:02d}.{tenths % 10}"
 
 
-def event_title(name: str, half: int, halves: int) -> str:
+def event_title(name: str, half: int, halves: int, period: Noun = HALF) -> str:
     """Return the name of an event for spectators: ``GOAL``, ``END OF HALF 1``."""
     if name == PROGRAM_FAULT:
         return "PROGRAM FAILED"
     if name == "MATCH_START" and half > 1:
-        return f"START OF HALF {half}"
-    return f"END OF HALF {half}" if name == "MATCH_FINISH" and half < halves else name.replace("_", " ")
+        return f"START OF {period} {half}".upper()
+    is_end = name == "MATCH_FINISH" and half < halves
+    return f"END OF {period} {half}".upper() if is_end else name.replace("_", " ")
 
 
 def fault_sentence(fault: Fault) -> str:

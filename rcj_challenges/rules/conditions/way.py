@@ -37,5 +37,5 @@ expect:
             return super().describe(phrases)
         subject = phrases.quantified(self.of or "any", self.way, negate=self.negate)
         if subject.negated and (opposite := self.opposite(phrases, " m")):
-            return f"{subject.text} has a way in this half of {opposite}"
-        return f"{subject.does('has', 'have')} a way in this half of {self.compared(phrases, ' m')}"
+            return f"{subject.text} has a way in this {phrases.period} of {opposite}"
+        return f"{subject.does('has', 'have')} a way in this {phrases.period} of {self.compared(phrases, ' m')}"

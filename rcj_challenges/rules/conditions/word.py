@@ -45,12 +45,13 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         if not self._is_plain_half():
             return super().describe(phrases)
+        half = phrases.period
         if self.at_least is not None and self.at_least == self.at_most:
-            which = f"half {self.at_least}"
+            which = f"{half} {self.at_least}"
         elif self.at_least is not None and self.at_most is not None:
-            which = f"one of the halves {self.at_least} to {self.at_most}"
+            which = f"one of the {phrases.period.many} {self.at_least} to {self.at_most}"
         elif self.at_least is not None:
-            which = f"half {self.at_least} or a later one"
+            which = f"{half} {self.at_least} or a later one"
         else:
-            which = f"half {self.equals}" if self.at_most is None else f"half {self.at_most} or an earlier one"
+            which = f"{half} {self.equals}" if self.at_most is None else f"{half} {self.at_most} or an earlier one"
         return f"it is {'not ' if self.negate else ''}{which}"

@@ -19,4 +19,4 @@ class HalfEnded(Trigger):
         to.clock_events.half_ended.append(to.binding())
 
     def describe(self, phrases: Phrases) -> str:
-        return "a half is over"
+        return f"{phrases.period.a} is over"

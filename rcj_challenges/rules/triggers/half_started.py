@@ -33,4 +33,4 @@ expect:
         to.clock_events.half_started.append(to.binding())
 
     def describe(self, phrases: Phrases) -> str:
-        return "a half starts"
+        return f"{phrases.period.a} starts"

@@ -46,7 +46,8 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         again = f", and again every {seconds(self.every_s)} until it ends" if self.every_s else ""
         # Where a phase stops the clock, the half lasts longer than that shows.
-        lasted = "clock of the half has reached" if phrases.clock_may_stop() else "half has lasted"
+        half = phrases.period
+        lasted = f"clock of the {half} has reached" if phrases.clock_may_stop() else f"{half} has lasted"
         return f"the {lasted} {seconds(self.at_s)}{again}"
 
     def measures_its_limit(self) -> bool:

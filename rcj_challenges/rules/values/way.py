@@ -62,4 +62,4 @@ expect:
         return lambda _firing: ways[entity]
 
     def describe(self, phrases: Phrases) -> str:
-        return f"{phrases.owned('way', self.way)} in this half in {self.UNIT}"
+        return f"{phrases.owned('way', self.way)} in this {phrases.period} in {self.UNIT}"

@@ -153,8 +153,8 @@ def _measured(part: object, path: Path, rule: Rule | None, scenario: Scenario, r
 def _lengths(match: Match, path: Path, *, is_of_file: bool) -> Iterator[Diagnostic]:
     """Yield too few or too many lengths: if only the number is set on the command line, the last one goes for more."""
     if isinstance(match.half_s, tuple) and len(match.half_s) != match.halves:
-        given, played = counted(len(match.half_s), "length"), counted(match.halves, "half", "halves")
-        help_ = "give each half its length, or one number for all"
+        given, played = counted(len(match.half_s), "length"), match.period.counted(match.halves)
+        help_ = f"give each {match.period} its length, or one number for all"
         other = (*path, "halves") if is_of_file else ()
         yield issue(codes.WRONG_VALUE, (*path, "half_s"), f"{given} in half_s for {played}", help_, other=other)
 

@@ -4,17 +4,35 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from rcj_challenges.core.amounts import HALF, Noun
 from rcj_challenges.rules.fields import Colour, DurationS, Point, Positive, Strict, described
+
+_Called = Annotated[str, Field(pattern=r"^[a-z]+( [a-z]+)*$", max_length=24)]
 
 
 class Match(Strict):
     """How many halves are played, how long they are, and whether the entrants change sides."""
 
-    halves: int = described(1, "how many halves are played", ge=1, le=10)
+    halves: int = described(1, "how many halves are played", ge=1, le=64)
+    called: _Called | Annotated[tuple[_Called, _Called], Field(strict=False)] | None = described(
+        None,
+        "what a half is called in the terminal and on all pages: round; with its plural, if that takes more than an s: "
+        "[inning, innings]; keywords and programs keep half",
+    )
     half_s: DurationS | Annotated[tuple[DurationS, ...], Field(strict=False, min_length=1)] = described(
         600.0, "simulated length of each half in s, or a list with one length per half"
     )
-    swap_sides: bool = described(False, "whether the two entrants change sides after each half; scores follow the team")
+    swap_sides: bool = described(
+        False,
+        "whether the two entrants change sides after each half, as where they take turns; scores follow the team",
+    )
+
+    @property
+    def period(self) -> Noun:
+        """What a half is called."""
+        if isinstance(self.called, tuple):
+            return Noun(*self.called)
+        return HALF if self.called is None else Noun(self.called, f"{self.called}s")
 
 
 class Goal(Strict):

@@ -56,7 +56,7 @@ _WITHIN = "within-the-walls"
 _WITHIN_WALLS = f'clip-path="url(#{_WITHIN})"'
 _NOISE_BOX = 'fill="none" stroke="#495057" stroke-dasharray="3 3"'
 _PUT_AREA = f'fill="{_PUT}" fill-opacity="0.18" stroke="{_PUT}" stroke-width="1"'
-_PLACED = "a rule puts it when a half starts"
+_PLACED = "a rule puts it when {} starts"
 
 
 class Picture(NamedTuple):
@@ -258,7 +258,7 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
     for name, obstacle in scenario.obstacles.items():
         pose = poses.get(name, start_pose(scenario, name))
         if pose is None:
-            entries.append(Entry(f"{name}: {_PLACED}"))
+            entries.append(Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}"))
             continue
         style, parts = f'fill="{hex_of(obstacle.colour)}" stroke="#212529"', obstacle_outline(obstacle).at(pose)
         for part in parts:
@@ -281,7 +281,7 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
     entries: list[Entry] = []
     for name, spot in scenario.spots.items():
         if name in nowhere:
-            entries.append(Entry(f"{name}: rules set it when a half starts"))
+            entries.append(Entry(f"{name}: rules set it when {scenario.match.period.a} starts"))
             continue
         at, is_set = (spot.x_m, spot.y_m), name in remembered
         stroke = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
@@ -289,7 +289,7 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
         paper.line((at[0], at[1] - reach_m), (at[0], at[1] + reach_m), stroke, name)
         number, colour = paper.new_number(), _PUT_MARKER if is_set else _BLACK
         paper.mark(at, number, name, colour, offset_px=(_BESIDE_PX, -_BESIDE_PX))
-        words = " when a half starts; rules set it" if is_set else ""
+        words = f" when {scenario.match.period.a} starts; rules set it" if is_set else ""
         entries.append(Entry(f"{name}: {_numbers(at)}{words}", number, colour))
     return "Spots (m)", entries
 
@@ -300,7 +300,7 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
     for name, robot in scenario.robots.items():
         pose, noise_m = poses[name], start_noise_m(scenario, name)
         if pose is None:
-            entries.append(Entry(f"{name}: {_PLACED}"))
+            entries.append(Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}"))
             continue
         kit, at, ink = kit_of(first_half, name), pose[:2], text_on(rgb(robot.colour))
         size_m = kit.chassis.size_m
@@ -336,7 +336,7 @@ def _balls(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> 
     for name, ball in scenario.balls.items():
         pose = poses[name]
         if pose is None:
-            entries.append(Entry(f"{name}: {_PLACED}"))
+            entries.append(Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}"))
             continue
         at, number = pose[:2], paper.new_number()
         paper.circle(at, ball.radius_m, f'fill="{hex_of(ball.colour)}" stroke="#212529"', name)

@@ -50,7 +50,7 @@ class EventFacts:
     """Converts events of a timeline to the data of the page; names are by the seats of the first half."""
 
     def __init__(self, scenario: Scenario, names: Mapping[str, str]) -> None:
-        self._halves = scenario.match.halves
+        self._halves, self._period = scenario.match.halves, scenario.match.period
         self._reasons = Reasons(scenario)
         self._seats = tuple(scenario.entrants)
         self._names = {seat: entrant.title or seat for seat, entrant in scenario.entrants.items()} | dict(names)
@@ -82,7 +82,7 @@ class EventFacts:
         if fault is not None:
             about, says, beside = fault_sentence(fault), _short(fault.traceback or fault.detail), []
         more = _short(" · ".join(filter(None, beside)), 300)
-        title = event_title(name, event.half, self._halves)
+        title = event_title(name, event.half, self._halves, self._period)
         head = " ".join(filter(None, (title, self._names.get(team, ""), standing)))
         caption = " · ".join(filter(None, (about, more)))
         return {

@@ -99,7 +99,8 @@ def _sensor_blocks(facts: dict[str, Any], folder: Path) -> dict[str, str]:
                 facts["sensors"][str(number)] = sensor_facts(half)
                 blocks[f"sensors-{number}"] = sensor_block(half)
             if half.damaged:
-                facts["problem"] += f" The sensor recording of half {number} is damaged: its beginning is shown."
+                which = f"{facts['period']} {number}"
+                facts["problem"] += f" The sensor recording of {which} is damaged: its beginning is shown."
     except RecordError as error:
         facts["problem"] += f" {error.message}"
     except DAMAGE as error:

@@ -24,6 +24,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
     field = scenario.field
     used = _used_gates(scenario, roster)
     return {
+        "period": scenario.match.period.one,
         "field": {
             "width_m": field.width_m,
             "length_m": field.length_m,

@@ -19,15 +19,16 @@ from rcj_challenges.views.sheet.phrasebook import Phrasebook
 def length_words(scenario: Scenario) -> str:
     """Return the length of a match: ``2 halves of 10 min; the teams change sides between halves``, as a sentence."""
     match, lengths_s = scenario.match, half_lengths_s(scenario.match)
-    halves = "One half" if match.halves == 1 else f"{match.halves} halves"
+    halves = f"One {match.period}" if match.halves == 1 else match.period.counted(match.halves)
     of = seconds(lengths_s[0]) if len(set(lengths_s)) == 1 else listed([seconds(one) for one in lengths_s], "and")
-    swap = "; the teams change sides between halves" if match.swap_sides and match.halves > 1 else ""
+    swap = f"; the teams change sides between {match.period.many}" if match.swap_sides and match.halves > 1 else ""
     return f"{halves} of {of}{swap}."
 
 
 def course_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     """Yield the course of a half besides the rules."""
-    yield f"{length_words(scenario)} A half begins in the phase {quoted(scenario.first_phase)}."
+    match = scenario.match
+    yield f"{length_words(scenario)} {match.period.a.capitalize()} begins in the phase {quoted(scenario.first_phase)}."
     entries = [
         *(_phase_words(phrases, name, phase) for name, phase in scenario.phases.items()),
         *(_timer_words(phrases, name, timer) for name, timer in scenario.timers.items()),
@@ -53,7 +54,7 @@ def _phase_words(phrases: Phrasebook, name: str, phase: Phase) -> str:
 
 def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
     one_for_each = f"; there is one for {phrases.each_of(timer.per)}" if timer.per else ""
-    starts = "; it starts with the half" if timer.starts else ""
+    starts = f"; it starts with the {phrases.period}" if timer.starts else ""
     lasts = "has no end" if timer.lasts_s is None else f"lasts {duration_words(phrases, timer.lasts_s)}"
     held = "" if timer.while_ is None else f"; it runs while {as_one(timer.while_).describe(phrases)}"
     return f"The timer {quoted(name)} {lasts}{one_for_each}{starts}{held}."
@@ -65,10 +66,10 @@ def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) 
     if not one.initial and not stays:
         return ""
     initial = ("set" if one.initial else "not set") if isinstance(one, Flag) else number(one.initial)
-    which = quoted_measure(name) if kind == "counter" else quoted(name)
+    which, half = quoted_measure(name) if kind == "counter" else quoted(name), phrases.period
     owners = phrases.owners(kind, name)
     of = f" of {phrases.each_of(owners)}" if owners else ""
-    when = "the match starts, and goes on from half to half" if stays else "a half starts"
+    when = f"the match starts, and goes on from {half} to {half}" if stays else f"{half.a} starts"
     return f"The {kind} {which}{of} is {initial} when {when}."
 
 
@@ -82,8 +83,8 @@ def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
     )
     again = ", never the same twice running" if draw.not_last else ""
     if draw.not_again is not None:
-        again += f"; in {'a half' if draw.not_again == 'half' else 'the match'} all come before one comes again"
-    keep = "once a match" if draw.keep == "match" else "when a half starts"
+        again += f"; in {phrases.period.a if draw.not_again == 'half' else 'the match'} all come before one comes again"
+    keep = "once a match" if draw.keep == "match" else f"when {phrases.period.a} starts"
     by_rules = {one.value is None for one in phrases.scenario.effects(Draws) if one.draw == name}
     also = "".join(
         (", and again when a rule says so" if True in by_rules else "", "; rules also set it" * (False in by_rules))

@@ -29,7 +29,7 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     if scenario.gates:
         yield "A gate is crossed forward towards the side to which its short mark in the drawing points."
     if remembered := spots_set_by_rules(scenario):
-        yield f"Rules move {listed([*map(phrases.thing, remembered)], 'and')} during a half."
+        yield f"Rules move {listed([*map(phrases.thing, remembered)], 'and')} during {phrases.period.a}."
     if scenario.balls:
         yield "Balls; x and y in m:"
         balls = tuple(_ball_row(name, ball) for name, ball in scenario.balls.items())
@@ -37,7 +37,7 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
             ("ball", "start", "diameter", "mass", "colour", "sends infra-red", "rolling, it loses"), balls
         ).without_empty()
     if scenario.obstacles:
-        yield "Obstacles; the place is where the centre stands at the start of a half, x and y in m:"
+        yield f"Obstacles; the place is where the centre stands at the start of {phrases.period.a}, x and y in m:"
         rows = tuple(_obstacle_row(name, obstacle) for name, obstacle in scenario.obstacles.items())
         yield Table(("obstacle", "place", "what it is", "height", "colour", "can be moved"), rows).without_empty()
     if scenario.groups:

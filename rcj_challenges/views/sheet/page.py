@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from rcj_challenges.core.amounts import Noun
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.rules.effects import PlacesLayout
@@ -92,7 +93,7 @@ def _criterion_words(phrases: Phrasebook, criterion: RankByScore | RankByTime | 
         larger = "larger" if criterion.order == "descending" else "smaller"
         return f"A {larger} value of {_own_counter(phrases, criterion.counter)} is better."
     match = phrases.scenario.match
-    halves = "the halves together lasted" if match.halves > 1 else "the half lasted"
+    halves = f"the {match.period.many} together lasted" if match.halves > 1 else f"the {match.period} lasted"
     stops = ", also while the clock stood still" if clock_may_stop(phrases.scenario) else ""
     changes = [
         f", {seconds(abs(part.weight))} {'taken off' if part.weight < 0 else 'added'} for each count of "
@@ -139,17 +140,18 @@ def _submission(scenario: Scenario) -> Iterator[Block]:
 
 
 def _limits(scenario: Scenario) -> Iterator[str]:
-    yield _limit_words(scenario.limits)
+    yield _limit_words(scenario.limits, scenario.match.period)
     if any(has(scenario, robot, TeamEmitterDevice) for robot in entrant_of(scenario)):
         yield f"A radio packet of more than {number(scenario.limits.message_kb)} kB is not sent."
 
 
-def _limit_words(limits: Limits) -> str:
-    computing = "" if limits.processor_s is None else f"{seconds(limits.processor_s)} of processor time in a half, "
+def _limit_words(limits: Limits, period: Noun) -> str:
+    half = period.a
+    computing = "" if limits.processor_s is None else f"{seconds(limits.processor_s)} of processor time in {half}, "
     return (
         f"A program may take {seconds(limits.start_s)} to the first step, {seconds(limits.step_s)} for a step "
-        f"and {seconds(limits.half_s)} in all in a half (its own CPU time and idle time), {computing}"
+        f"and {seconds(limits.half_s)} in all in {half} (its own CPU time and idle time), {computing}"
         f"{limits.memory_mb} MB of memory, {number(limits.output_mb)} MB of output, "
         f"{number(limits.scratch_mb)} MB of files in its own folder and {counted(limits.processes, 'thread')} beside "
-        "its first one. A program that exceeds one of these stops for the rest of the half."
+        f"its first one. A program that exceeds one of these stops for the rest of the {period}."
     )

@@ -40,6 +40,7 @@ class Phrasebook:
     ) -> None:
         self.scenario = scenario
         self.roster = roster
+        self.period = scenario.match.period
         self.each = None if rule is None else rule.for_each
         self._set_draws = set_from_the_start(scenario) if set_draws is None else set_draws
         measured = {trigger.MEASURED or _MEASURED_BY_SEVERAL for trigger in rule.triggers} if rule is not None else ()

@@ -23,7 +23,8 @@ _RADIO = (TeamEmitterDevice, TeamReceiverDevice)
 def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     """Yield the facts of the robots, in the first half if teams take theirs along."""
     if scenario.match.swap_sides and any(entrant.kits for entrant in scenario.entrants.values()):
-        yield "Teams take their robots along when they change sides; these are those of the first half."
+        first = f"the first {scenario.match.period}"
+        yield f"Teams take their robots along when they change sides; these are those of {first}."
     scenario = in_half(scenario, 1)
     owners = entrant_of(scenario)
     rows = [

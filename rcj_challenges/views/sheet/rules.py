@@ -55,7 +55,7 @@ def _sentence(rule: Rule, phrases: Phrasebook) -> str:
     each = "for each of them " if rule.for_each else ""
     limits = [
         *([f"{each}at most once in {seconds(rule.cooldown_s)}"] if rule.cooldown_s else []),
-        *([f"{each}at most {times(rule.max_executions)} a half"] if rule.max_executions else []),
+        *([f"{each}at most {times(rule.max_executions)} {phrases.period.a}"] if rule.max_executions else []),
         *(["in every phase"] if rule.phases == "any" else []),
     ]
     if rule.phases not in ("any", ("play",)):

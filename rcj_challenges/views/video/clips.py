@@ -138,7 +138,8 @@ def _chosen(footage: Footage, half: int | None) -> list[HalfFootage]:
     found = [one for one in footage.halves if half in (None, one.info.half)]
     if not found:
         halves = " and ".join(str(one.info.half) for one in footage.halves)
-        raise VideoError(NO_SUCH_HALF, f"--half {half}: this run has half {halves}")
+        period = footage.scenario.match.period
+        raise VideoError(NO_SUCH_HALF, f"--half {half}: this run has {period} {halves}")
     return found
 
 

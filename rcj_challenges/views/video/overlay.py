@@ -58,7 +58,7 @@ class Overlay:
     def _draw_bar(self, half: int, scores: tuple[tuple[str, float], ...], speed: float) -> Image.Image:
         bar = Image.new("RGB", (self._size[0], self.height), BAR)
         info = self._footage.half(half).info
-        facts = [f"half {half} of {info.halves}"] if info.halves > 1 else []
+        facts = [f"{self._footage.scenario.match.period} {half} of {info.halves}"] if info.halves > 1 else []
         facts += [f"{speed:g} x"] if speed != 1 else []
         side = text_mask("  ".join(facts), self._small_px)
         self._paste(bar, side, bar.width - side.width - self._gap, MUTED)

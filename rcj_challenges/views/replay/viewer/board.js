@@ -54,7 +54,7 @@ class Board {
     if (key === this.shown) return;
     this.shown = key;
     const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
-    this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
+    this.half.textContent = recording.facts.halves_planned > 1 ? `${recording.period} ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
     if (stopped) this.half.append(" ", element("span", "stopped", `+ ${Recording.clockText(stopped).replace(/\.0$/, "")} stopped`));
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
     const special = [name, held, phase.stopped ? "clock stopped" : ""].filter(Boolean).join(" · ");

@@ -24,6 +24,12 @@ class EventList {
     new ResizeObserver(() => this.follow()).observe(this.list);
   }
 
+  /** The heading of a half: `Round 2`. */
+  divider(half) {
+    const { period } = this.recording;
+    return element("li", "divider", `${period[0].toUpperCase()}${period.slice(1)} ${half}`);
+  }
+
   /** Events were added while the match is played: rows are appended, counts brought up to date. */
   grown(added) {
     this.buildFilters();
@@ -32,7 +38,7 @@ class EventList {
     for (const event of chosen.slice(0, room)) {
       const row = this.row(event);
       const before = this.rows[this.rows.length - 1];
-      if (before ? before.event.half !== event.half : event.half > 1) this.list.append(element("li", "divider", `Half ${event.half}`));
+      if (before ? before.event.half !== event.half : event.half > 1) this.list.append(this.divider(event.half));
       this.rows.push(row);
       this.list.append(row.item);
     }
@@ -78,7 +84,7 @@ class EventList {
     const items = [];
     let half = 0;
     for (const { event, item } of this.rows) {
-      if (event.half !== half && this.recording.halves.length > 1) items.push(element("li", "divider", `Half ${event.half}`));
+      if (event.half !== half && this.recording.halves.length > 1) items.push(this.divider(event.half));
       half = event.half;
       items.push(item);
     }

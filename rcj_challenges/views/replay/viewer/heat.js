@@ -55,7 +55,7 @@ class Heat {
     const sorted = [...counts.values()].sort((a, b) => a - b);
     const most = sorted[sorted.length - 1] || 1, warmest = sorted[Math.floor(sorted.length * 0.98)] || 1;
     const share = (100 * most) / Math.max(1, chosen.length * (track.ticks + 1));
-    this.text.textContent = `whole half; the warmest 5 cm: ${share.toFixed(1)} % of the time`;
+    this.text.textContent = `whole ${this.recording.period}; the warmest 5 cm: ${share.toFixed(1)} % of the time`;
     const cells = [...counts].map(([cell, count]) => {
       // The root, and no more than the warmest fiftieth: else one place with a long stay would make all others pale.
       return { cell: cell.split(" ").map(Number), step: Math.ceil(HEAT_STEPS * Math.sqrt(Math.min(1, count / warmest))) };

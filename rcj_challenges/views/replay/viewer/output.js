@@ -27,7 +27,7 @@ class Output {
     Embedded.inflate(block.textContent).then((bytes) => {
       this.blocks.set(half, JSON.parse(new TextDecoder().decode(bytes)).sort(([, one], [, other]) => one - other));
       this.changed();
-    }).catch((error) => console.error(`the output of half ${half} cannot be shown: ${error.message}`));
+    }).catch((error) => console.error(`the output of ${this.recording.period} ${half} cannot be shown: ${error.message}`));
     return null;
   }
 

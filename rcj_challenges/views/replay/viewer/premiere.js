@@ -66,7 +66,7 @@ class PremiereFeed {
     const elapsed = (this.now() - this.when.start) / 1000;
     for (const half of this.halves) {
       if (elapsed < begins) {
-        this.lost(`Half-time: it goes on in ${Math.ceil(begins - elapsed)} s.`);
+        this.lost(`Break: it goes on in ${Math.ceil(begins - elapsed)} s.`);
         this.take.settled();
         return false;
       }

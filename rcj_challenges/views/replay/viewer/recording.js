@@ -131,6 +131,11 @@ class Recording {
       .filter((event) => event.place !== null);
   }
 
+  /** What a half is called; pages of older versions do not say it. */
+  get period() {
+    return this.facts.period ?? "half";
+  }
+
   /** The place of a tick of a half (1-based), or null if that was not recorded. */
   placeOf(half, tick) {
     const track = this.halves.find((candidate) => candidate.facts.half === half);

@@ -63,7 +63,7 @@ class Sensors {
     if (!this.blocks.has(number)) {
       this.blocks.set(number, null);
       this.read(number, facts).then((robots) => { this.blocks.set(number, robots); this.changed(); })
-        .catch((error) => console.error(`the sensor recording of half ${number} cannot be shown: ${error.message}`));
+        .catch((error) => console.error(`the sensor recording of ${this.recording.period} ${number} cannot be shown: ${error.message}`));
     }
     return this.blocks.get(number);
   }

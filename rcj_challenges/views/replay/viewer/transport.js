@@ -112,7 +112,7 @@ class Transport {
     if (Math.abs(place - this.knob) <= step && step > 0) return this.showKeys(player);
     this.knob = place;
     this.seek.value = String(Math.round(place));
-    this.seek.setAttribute("aria-valuetext", `half ${track.facts.half}, ${recording.clock(place)}`);
+    this.seek.setAttribute("aria-valuetext", `${recording.period} ${track.facts.half}, ${recording.clock(place)}`);
     this.seek.style.setProperty("--done", `${(100 * place) / Math.max(1, recording.span)}%`);
     this.showKeys(player);
   }
