@@ -36,6 +36,37 @@ class AnsiCodes:
     CYAN_BACKGROUND: str
     WHITE_BACKGROUND: str
 
+class CameraRecognitionObject:
+    """A thing that a camera recognizes. Numbers are in the camera's frame: x forward, y to the left, z up."""
+    def __init__(self, data: tuple[Any, ...]) -> None: ...
+    def getId(self) -> int:
+        """Return its number, the same all through a half."""
+    def getPosition(self) -> list[float]:
+        """Return where its middle is, in m from the camera."""
+    def getOrientation(self) -> list[float]:
+        """Return how it is turned: an axis, which points up, and the angle in rad."""
+    def getSize(self) -> list[float]:
+        """Return its width and its height in m."""
+    def getPositionOnImage(self) -> list[int]:
+        """Return column and row of the middle of what is visible of it."""
+    def getSizeOnImage(self) -> list[int]:
+        """Return width and height of what is visible of it, in pixels."""
+    def getNumberOfColors(self) -> int:
+        """Return 1."""
+    def getColors(self) -> list[float]:
+        """Return red, green and blue from 0 to 1."""
+    def getModel(self) -> str:
+        """Return what it is: ``robot``, ``ball`` or ``obstacle``."""
+    id: int
+    position: list[float]
+    orientation: list[float]
+    size: list[float]
+    position_on_image: list[int]
+    size_on_image: list[int]
+    number_of_colors: int
+    colors: list[float]
+    model: str
+
 class Device:
     """A part of the robot, as returned by ``getDevice`` or created from its class: ``Motor("left wheel motor")``.
 
@@ -284,9 +315,6 @@ class Altimeter:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Brake:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
-
-class CameraRecognitionObject:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Connector:
@@ -763,7 +791,37 @@ class Camera(Sensor):
     def saveImage(self, filename: str, quality: int = 100) -> int:
         """Write the latest picture as a PNG file; return 0, or -1 if there is none or the file cannot be written."""
     def hasRecognition(self) -> bool:
-        """Return False: it recognizes nothing by itself."""
+        """Return whether it can recognize robots, balls and obstacles by itself."""
+    def recognitionEnable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
+        """Recognize things every ``samplingPeriod`` ms, but not more often than it can take pictures.
+
+        It needs no pictures: without ``enable`` it costs less computing time.
+
+        Example:
+            ``camera.recognitionEnable(32)`` once at the start.
+        """
+    def recognitionDisable(self) -> None:
+        """Recognize nothing any more."""
+    def getRecognitionSamplingPeriod(self) -> int:
+        """Return the period in ms that was asked for; 0 if it recognizes nothing."""
+    def getRecognitionNumberOfObjects(self) -> int:
+        """Return how many things it recognizes."""
+    def getRecognitionObjects(self) -> list[CameraRecognitionObject]:
+        """Return what it recognizes, the nearest first. What is hidden is not listed.
+
+        Example:
+            ``balls = [thing for thing in camera.getRecognitionObjects() if thing.model == "ball"]``
+        """
+    def hasRecognitionSegmentation(self) -> bool:
+        """Return False: there are no segmented pictures."""
+    isRecognitionSegmentationEnabled = hasRecognitionSegmentation
+    def enableRecognitionSegmentation(self) -> None:
+        """Do nothing but print a warning: there are no segmented pictures."""
+    def disableRecognitionSegmentation(self) -> None:
+        """Do nothing."""
+    def getRecognitionSegmentationImage(self) -> None:
+        """Return None: there are no segmented pictures."""
+    getRecognitionSegmentationImageArray = getRecognitionSegmentationImage
     image: Any
     width: int
     height: int
@@ -773,6 +831,7 @@ class Camera(Sensor):
     near: float
     exposure: float
     focal_length: float
+    recognition_sampling_period: int
 
 class Compass(Sensor):
     """Where north is, seen from the robot."""

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 Reader = Callable[[int, RobotPose, list[float]], None]
 """Writes the samples of a tick into a robot's numbers, like `Sensor.read`."""
 
+Rgb = tuple[int, int, int]
+
 DEVICES = Vocabulary("device")
 
 
@@ -126,6 +128,29 @@ class Eye:
     down: float
 
 
+class Seen(NamedTuple):
+    """What a camera recognizes, in the camera's frame: x ahead, y left, z up.
+
+    Attributes:
+        number: of the thing, the same in all pictures of a half.
+        model: ``robot``, ``ball`` or ``obstacle``.
+        rgb: its colour, red, green and blue.
+        position: of its middle, in m.
+        yaw_rad: where its front looks; 0 of what is round.
+        width_m, height_m: how wide it is across the camera's direction, and how high.
+        box: what is visible of it, in pixels: left, top, width and height.
+    """
+
+    number: int
+    model: str
+    rgb: Rgb
+    position: Vector
+    yaw_rad: float
+    width_m: float
+    height_m: float
+    box: tuple[int, int, int, int]
+
+
 class Rays(Protocol):
     """What sensors see of the world."""
 
@@ -146,7 +171,7 @@ class Sight(Protocol):
     """Takes the pictures of cameras."""
 
     @property
-    def palette(self) -> "list[tuple[int, int, int]]":
+    def palette(self) -> list[Rgb]:
         """Red, green and blue of each number that stands in pictures."""
 
     def take(self, eyes: "Sequence[tuple[int, Eye]]") -> list[bytes]:
@@ -154,6 +179,9 @@ class Sight(Protocol):
 
         All eyes have lenses of the same shape.
         """
+
+    def recognize(self, eyes: "Sequence[tuple[int, Eye]]") -> list[list[Seen]]:
+        """Return what each eye recognizes, on the robot of this index: the nearest first."""
 
     def brightness(self, x_m: float, y_m: float) -> float:
         """Return the brightness of the floor at a place, from 0 to 1."""

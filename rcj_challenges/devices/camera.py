@@ -1,11 +1,13 @@
 """The device ``camera``: pictures of what a robot sees (ADR 17).
 
 Pictures reach a program as packets of its camera: how many colours there are, red, green and blue of each, then a
-colour's number for each pixel, row by row.
+colour's number for each pixel, row by row. What it recognizes comes in packets of the camera's index and `RECOGNITION`,
+one `SEEN` for each thing, and is asked for by that number.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from struct import Struct
 from typing import Any, Literal
 
 from pydantic import Field
@@ -13,16 +15,21 @@ from pydantic import Field
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Device, Eye, Fitted, Phrases, RobotSetup
+from rcj_challenges.devices.base import Device, Eye, Fitted, Phrases, Rgb, RobotSetup, Seen
 from rcj_challenges.devices.noise import sensor_stream
 from rcj_challenges.devices.poses import Vector
 from rcj_challenges.rules.fields import NotNegative, Positive, described
 from rcj_challenges.rules.phrasing import degrees, metres
 
-Rgb = tuple[int, int, int]
-
 NEAR_M = 0.01
 """What ``getNear`` returns: nothing nearer is ever seen, because bodies are larger."""
+
+RECOGNITION = 0x8000
+"""Added to a camera's index: the number under which its recognition is enabled, and its packets come."""
+
+SEEN = Struct("<2H3B6d4H")
+"""A thing: number, model, red, green, blue, position (3) in m, yaw in rad, width and height in m, box in pixels (4)."""
+MODELS = ("robot", "ball", "obstacle")
 
 _FULL = 255
 
@@ -45,6 +52,10 @@ class CameraDevice(Device):
     height_m: Positive = described(0.06, "height above the floor in m", le=1)
     light: tuple[Positive, Positive] = Field(
         (1.0, 1.0), strict=False, description="smallest and largest brightness; drawn anew for each half"
+    )
+
+    recognition: bool = described(
+        False, "whether it recognizes robots, balls and obstacles by itself, without their pictures"
     )
 
     CLASS = "camera"
@@ -76,7 +87,8 @@ robots:
         return self.ahead_m * math.cos(self.bearing_rad), self.ahead_m * math.sin(self.bearing_rad), self.height_m
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
-        return {"width": self.width, "height": self.height, "fov": self.field_of_view_rad, "near": NEAR_M}
+        return {"width": self.width, "height": self.height, "fov": self.field_of_view_rad, "near": NEAR_M,
+                "recognition": self.recognition}  # fmt: skip
 
     def contradictions(self, _chassis: Chassis) -> Iterator[tuple[str, str]]:
         if self.light[0] > self.light[1]:
@@ -92,6 +104,8 @@ robots:
             f"camera, {where}, {rows}, a picture every {every_ms} ms, {metres(self.ahead_m)} off the robot's centre "
             f"and {metres(self.height_m)} above the floor"
         )
+        if self.recognition:
+            text += "; recognizes robots, balls and obstacles"
         low, high = self.light
         if low == high == 1:
             return text
@@ -104,3 +118,20 @@ robots:
             share += (high - share) * float(sensor_stream(half, fitted.robot_name, fitted.spec.name).random())
         parts = bytes(min(_FULL, int(part * share)) for colour in palette for part in colour)
         return bytes([len(palette)]) + parts
+
+
+def packed(things: Iterable[Seen]) -> bytes:
+    """Return a packet of what a camera recognizes."""
+    return b"".join(
+        SEEN.pack(
+            one.number,
+            MODELS.index(one.model),
+            *one.rgb,
+            *one.position,
+            one.yaw_rad,
+            one.width_m,
+            one.height_m,
+            *one.box,
+        )
+        for one in things
+    )

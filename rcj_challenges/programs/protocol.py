@@ -19,6 +19,7 @@ from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.core.traffic import MotorCommand, Note, Observation, Packet, Request, RobotSpec
 from rcj_challenges.devices import device_of_class
+from rcj_challenges.devices.camera import RECOGNITION
 
 PROTOCOL_VERSION = 1
 HELLO, OBSERVATION, REQUEST, FAULT, NOTES = 0x48, 0x4F, 0x52, 0x46, 0x4E
@@ -86,6 +87,11 @@ class Codec:
         self._values = spec.values
         self._form = Struct(f"{_OBSERVATION}{spec.values}d")
         self._accepts = {device.index: device_of_class(device.kind).ACCEPTS for device in spec.devices}
+        self._accepts |= {
+            device.index + RECOGNITION: frozenset({"sampling"})
+            for device in spec.devices
+            if device.facts.get("recognition")
+        }
         # By motor, the highest velocity that it may be asked for.
         self._motors = {
             device.index: float(device.facts.get("max_velocity", spec.max_velocity_radps)) * (1 + _SPEED_TOLERANCE)

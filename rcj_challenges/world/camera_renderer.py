@@ -1,4 +1,4 @@
-"""What cameras see: pictures by casting columns, without a graphics card (ADR 16).
+"""What cameras see: pictures by casting columns, without a graphics card (ADR 17).
 
 All that stands on the field is an upright prism or a sphere, and cameras look level, so each column of a picture is a
 vertical plane: a prism covers a range of its rows, given by where the plane enters and leaves it. The floor is looked
@@ -15,44 +15,27 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from rcj_challenges.core.colours import hex_colour
-from rcj_challenges.devices.base import Eye
-from rcj_challenges.scenario.kits import chassis_of
+from rcj_challenges.devices.base import Eye, Seen
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.shapes import floor_of, floor_outline, goal_floor
-from rcj_challenges.world.build_field import FIELD, OBSTACLE, WALL_THICKNESS_M
+from rcj_challenges.world.build_field import WALL_THICKNESS_M
 from rcj_challenges.world.ground import Ground
-
-Point = tuple[float, float]
+from rcj_challenges.world.recognition import Recognition
+from rcj_challenges.world.standing import WALL_COLOUR, Point, Prism, colour_digits, things_on_field
 
 BEYOND, FLOOR, LINE, WALL = range(4)
-_COLOURS = {BEYOND: "#101418", FLOOR: "#2e8054", LINE: "#ffffff", WALL: "#202428"}
+_COLOURS = {BEYOND: "#101418", FLOOR: "#2e8054", LINE: "#ffffff", WALL: WALL_COLOUR}
 
 CELL_M = 0.004
 """Edge of a cell of the floor's map."""
 LINE_M = 0.008
 """Width of the lines on the floor, as in videos."""
-_COAT_M = 1e-7
-"""Thickness of the paint on a goal's inner sides."""
 _REACH_M = 100.0
 """Things that are parked are farther away."""
-
-
-@dataclass(frozen=True)
-class _Prism:
-    """An upright prism: its corners counter-clockwise and its range of heights in m, in the frame of its body."""
-
-    corners: tuple[Point, ...]
-    low_m: float
-    high_m: float
-    colour: int
-    body: int
-    entity: int = -1
 
 
 class CameraRenderer:
@@ -61,14 +44,12 @@ class CameraRenderer:
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
         self._ground = ground
         self._colours: list[str] = [_COLOURS[number] for number in range(4)]
-        self._entities = roster.entities
-        prisms, self._discs = self._standing(scenario, roster)
-        self._prisms = _Prisms(prisms, ground)
-        self._balls = [
-            (int(ground.model.body(name).id), ball.radius_m, self.number_of(ball.colour))
-            for name, ball in scenario.balls.items()
-        ]
+        standing = things_on_field(scenario, roster, ground)
+        self._prisms = _Prisms(standing.prisms, ground, roster.entities[: roster.robots], self.number_of)
+        self._discs = [(one, self.number_of(one.colour)) for one in standing.discs]
+        self._balls = [(one, self.number_of(one.colour)) for one in standing.balls]
         self._floor = _FloorMap(scenario, self.number_of)
+        self._recognition = Recognition(scenario, roster, ground, standing)
 
     @property
     def palette(self) -> list[tuple[int, int, int]]:
@@ -87,6 +68,10 @@ class CameraRenderer:
         apart = np.ascontiguousarray(picture.reshape(len(picture), len(eyes), -1).transpose(1, 0, 2))
         return [one.tobytes() for one in apart]
 
+    def recognize(self, eyes: Sequence[tuple[int, Eye]]) -> list[list[Seen]]:
+        """Return what each eye recognizes, on the robot of this index: the nearest first."""
+        return self._recognition.take([(robot, eye, self._place(robot, eye)) for robot, eye in eyes])
+
     def brightness(self, x_m: float, y_m: float) -> float:
         """Return the brightness of the floor at a place, from 0 to 1."""
         r, g, b = self.palette[self._floor.colour_at(x_m, y_m)]
@@ -104,71 +89,30 @@ class CameraRenderer:
 
     def number_of(self, colour: str) -> int:
         """Return the number of a scenario's colour in pictures."""
-        digits = hex_colour(colour) or "#868e96"
+        digits = colour_digits(colour)
         if digits not in self._colours:
             self._colours.append(digits)
         return self._colours.index(digits)
 
-    def _standing(self, scenario: Scenario, roster: Roster) -> tuple[list[_Prism], list[tuple[int, float, float, int]]]:
-        """Return the prisms, and the upright cylinders: body, radius, height, colour."""
-        model = self._ground.model
-        box, cylinder = int(mujoco.mjtGeom.mjGEOM_BOX), int(mujoco.mjtGeom.mjGEOM_CYLINDER)
-        prisms: list[_Prism] = []
-        discs: list[tuple[int, float, float, int]] = []
-        goals = {goal.end: self.number_of(goal.colour) for goal in scenario.field.goals.values()}
-        for geom in range(model.ngeom):
-            name = model.geom(geom).name
-            if name.startswith(FIELD):
-                kind, _, end = name.removeprefix(FIELD).partition("_")
-                colour = next((goals[e] for e in goals if end.startswith(e)), WALL) if kind == "goal" else WALL
-            elif (of := name.removeprefix(OBSTACLE)) in scenario.obstacles:
-                colour = self.number_of(scenario.obstacles[of].colour)
-            else:
-                continue
-            half_m, body = float(model.geom_size[geom, 2]), int(model.geom_bodyid[geom])
-            x, y, z = model.geom_pos[geom].tolist()
-            if model.geom_type[geom] == box:
-                w, _, _, q = model.geom_quat[geom].tolist()
-                cos, sin = w * w - q * q, 2 * w * q
-                hx, hy = model.geom_size[geom, :2].tolist()
-                corners = tuple(
-                    (x + cos * px - sin * py, y + sin * px + cos * py)
-                    for px, py in ((hx, hy), (-hx, hy), (-hx, -hy), (hx, -hy))
-                )
-                base_m = float(model.body_pos[body, 2]) if body else 0.0
-                prisms.append(_Prism(corners, base_m + z - half_m, base_m + z + half_m, colour, body))
-            elif model.geom_type[geom] == cylinder:
-                discs.append((geom, float(model.geom_size[geom, 0]), 2 * float(model.geom_size[geom, 1]), colour))
-        for goal in scenario.field.goals.values():
-            prisms += _coats(scenario, goal.end, goals[goal.end])
-        for index, name in enumerate(roster.entities[: roster.robots]):
-            chassis = chassis_of(scenario, name)
-            body = int(model.body(name).id)
-            colour = self.number_of(scenario.robots[name].colour)
-            prisms += [
-                _Prism(outline, 0.0, chassis.height_m, colour, body, index) for outline in chassis.solids().values()
-            ]
-        return prisms, discs
-
     def _disc_spans(self, views: _Views) -> Iterable[_Spans]:
-        for geom, radius_m, height_m, colour in self._discs:
-            x, y, _ = self._ground.data.geom_xpos[geom].tolist()
+        for disc, colour in self._discs:
+            x, y, _ = self._ground.data.geom_xpos[disc.geom].tolist()
             along, squared = views.towards(x, y)
-            inside = radius_m * radius_m * views.lens.squared_all(views.count) - squared
+            inside = disc.radius_m * disc.radius_m * views.lens.squared_all(views.count) - squared
             half = np.sqrt(np.maximum(inside, 0.0))
             lengths = views.lens.squared_all(views.count)
             enter = np.where(inside > 0.0, (along - half) / lengths, np.inf)
             leave = np.where(inside > 0.0, (along + half) / lengths, -np.inf)
-            yield _Spans.of(views, enter[None], leave[None], [0.0], [height_m], [colour])
+            yield _Spans.of(views, enter[None], leave[None], [0.0], [disc.height_m], [colour])
 
     def _ball_spans(self, views: _Views) -> Iterable[_Spans]:
         eye_m, lengths = views.lens.height_m, views.lens.squared_all(views.count)
-        for body, radius_m, colour in self._balls:
-            x, y, z = self._ground.data.xpos[body].tolist()
+        for ball, colour in self._balls:
+            x, y, z = self._ground.data.xpos[ball.body].tolist()
             along, squared = views.towards(x, y)
             # In the plane of a column the ball is a circle: its middle at (a, up), its radius squared rho2.
             a = along / np.sqrt(lengths)
-            rho2 = radius_m * radius_m - squared / lengths
+            rho2 = ball.radius_m * ball.radius_m - squared / lengths
             up = z - eye_m
             far2 = a * a - rho2
             visible = (rho2 > 0.0) & (a > 0.0) & (far2 > 0.0)
@@ -177,20 +121,6 @@ class CameraRenderer:
             enter = np.where(visible, along / lengths, np.inf)
             first, after = views.rows((a * up - root) * scale, (a * up + root) * scale)
             yield _Spans(enter[None], first[None], after[None], np.array([colour], np.uint8))
-
-
-def _coats(scenario: Scenario, end: str, colour: int) -> list[_Prism]:
-    """Return the paint on the inner sides of the goal at an end; physically they are parts of the end wall."""
-    goal = next(goal for goal in scenario.field.goals.values() if goal.end == end)
-    sign = 1 if end == "positive_y" else -1
-    near, far = sign * scenario.field.length_m / 2, sign * (scenario.field.length_m / 2 + goal.depth_m)
-    y = (min(near, far), max(near, far))
-    coats = []
-    for way in (-1, 1):
-        x = sorted((way * goal.width_m / 2, way * (goal.width_m / 2 - _COAT_M)))
-        corners = ((x[1], y[1]), (x[0], y[1]), (x[0], y[0]), (x[1], y[0]))
-        coats.append(_Prism(corners, 0.0, goal.wall_height_m, colour, 0))
-    return coats
 
 
 @dataclass(frozen=True, eq=False)
@@ -296,7 +226,9 @@ class _Spans:
 class _Prisms:
     """All prisms, their edges side by side."""
 
-    def __init__(self, prisms: Sequence[_Prism], ground: Ground) -> None:
+    def __init__(
+        self, prisms: Sequence[Prism], ground: Ground, robots: Sequence[str], number_of: Callable[[str], int]
+    ) -> None:
         self._ground = ground
         prisms = sorted(prisms, key=lambda one: len(one.corners))
         edges = [(one.body, *edge) for one in prisms for edge in _edges(one.corners)]
@@ -308,11 +240,9 @@ class _Prisms:
         ]
         self._low = np.array([one.low_m for one in prisms])
         self._high = np.array([one.high_m for one in prisms])
-        self._colours = np.array([one.colour for one in prisms], np.uint8)
-        self.body_of = {one.entity: one.body for one in prisms if one.entity >= 0}
-        self._prisms_of = {
-            entity: [number for number, one in enumerate(prisms) if one.entity == entity] for entity in self.body_of
-        }
+        self._colours = np.array([number_of(one.colour) for one in prisms], np.uint8)
+        self.body_of = [int(ground.model.body(name).id) for name in robots]
+        self._prisms_of = [[number for number, one in enumerate(prisms) if one.thing == name] for name in robots]
 
     def spans(self, views: _Views) -> _Spans:
         """Return the spans that they cover; an eye does not see its own robot."""
@@ -432,5 +362,5 @@ def _cells(extent_m: float) -> NDArray[np.float64]:
 
 
 def _darker(colour: str) -> str:
-    parts = bytes.fromhex((hex_colour(colour) or "#868e96")[1:])
+    parts = bytes.fromhex(colour_digits(colour)[1:])
     return "#" + bytes(part * 7 // 10 for part in parts).hex()

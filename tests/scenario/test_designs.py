@@ -32,7 +32,7 @@ guidelines:
     devices:
       motor: {}
       sonar: {price: 50, at_most: 8, limits: {range_m: {least: 0.1, most: 1}}}
-      camera: {price: 500, at_most: 2, limits: {width: {prices: [[32, 0], [64, 100]]}}}
+      camera: {price: 500, at_most: 2, limits: {width: {prices: [[32, 0], [64, 100]]}, recognition: {prices: [[0, 0], [1, 300]]}}}
       kicker: {price: 400}
     keeps: [team emitter]
 entrants:
@@ -73,11 +73,12 @@ def codes(verdict: Verdict) -> list[tuple[str, str]]:
 
 
 def test_design_within_the_guidelines_has_a_price_table():
-    devices = ", front: {device: sonar, bearing_rad: 0}, left: {device: sonar, bearing_rad: 1.5}, eye: {device: camera}"
+    devices = ", front: {device: sonar, bearing_rad: 0}, left: {device: sonar, bearing_rad: 1.5}"
+    devices += ", eye: {device: camera, recognition: true}"
     verdict = judged(design(devices=devices))
     assert verdict.problems == verdict.warnings == []
     assert {(one.what, one.count, one.points) for one in verdict.prices["striker"]} == {
-        ("omni", 1, 1200), ("motor", 4, 0), ("sonar", 2, 100), ("camera", 1, 600),
+        ("omni", 1, 1200), ("motor", 4, 0), ("sonar", 2, 100), ("camera", 1, 900),
     }  # fmt: skip
     assert verdict.robots == ("striker",) * 3
 

@@ -63,7 +63,8 @@ sys.meta_path.append(_ClassModules)
 
 
 _FILES = {
-    "Accelerometer": "accelerometer", "Camera": "camera", "Gyro": "gyro", "InertialUnit": "inertial_unit", "LED": "led",
+    "Accelerometer": "accelerometer", "Camera": "camera", "CameraRecognitionObject": "camera", "Gyro": "gyro",
+    "InertialUnit": "inertial_unit", "LED": "led",
     "Lidar": "lidar", "LidarPoint": "lidar", "LightSensor": "light_sensor", "TouchSensor": "touch_sensor",
 }  # fmt: skip
 

@@ -57,8 +57,12 @@ _MAX_TICKS = 2**31 - 1
 _MAX_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
 
 
+RECOGNITION = 0x8000
+"""Added to a camera's index: the number of its recognition."""
+
+
 class PacketQueue:
-    """The unread packets of one receiver, oldest first; or the latest picture of a camera."""
+    """The unread packets of one receiver, oldest first; or the latest picture of a camera, or what it recognizes."""
 
     __slots__ = ("packets",)
 
@@ -106,7 +110,7 @@ class Connection:
             lidar stand packed in one piece: they are many, and seldom looked at.
         place_of: by a device's slot, where in ``numbers`` its own begin.
         previous: the observation before, of ``previous_tick``.
-        queues: unread packets by the index of the receiver.
+        queues: unread packets by the index of the receiver or camera, and by that of a camera's recognition.
         devices: all devices of the robot by name, once it is made.
         motors: settings for the next request, by the motor's index: index, velocity in rad/s, position in rad.
     """
@@ -122,10 +126,10 @@ class Connection:
         self.numbers: tuple[Any, ...] = self._form.unpack(bytes(self._form.size - len(nothing_yet)) + nothing_yet)
         self.previous, self.previous_tick = self.numbers, 0
         self.queues = {
-            device["index"]: PacketQueue(1 if device["kind"] == "camera" else None)
-            for device in self.spec["devices"]
-            if device["kind"] in {"receiver", "camera"}
+            device["index"]: PacketQueue() for device in self.spec["devices"] if device["kind"] == "receiver"
         }
+        cameras = [device["index"] for device in self.spec["devices"] if device["kind"] == "camera"]
+        self.queues |= {index + extra: PacketQueue(1) for index in cameras for extra in (0, RECOGNITION)}
         self.over = False
         self.robot_made = False
         self.devices: dict[str, Any] = {}

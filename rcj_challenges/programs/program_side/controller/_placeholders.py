@@ -25,7 +25,7 @@ class Unsupported:
 
 
 for _name in (
-    *("Altimeter", "Brake", "CameraRecognitionObject", "Connector", "Display", "ImageRef", "Motion", "Pen"),
+    *("Altimeter", "Brake", "Connector", "Display", "ImageRef", "Motion", "Pen"),
     *("Radar", "RadarTarget", "RangeFinder", "Skin", "Speaker", "VacuumGripper"),
 ):
     globals()[_name] = type(_name, (Unsupported,), {"__module__": __name__})
