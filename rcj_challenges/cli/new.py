@@ -64,6 +64,9 @@ def new(
             help="Field and robots of a challenge: soccersim_v2 (default), soccersim_2021 or empty_field.",
         ),
     ] = None,
+    design: Annotated[
+        bool, typer.Option("--design", help="A team also gets robot.yaml, for challenges in which teams design robots.")
+    ] = False,
 ) -> None:
     """Write a new team, robot.yaml for one, or a challenge with a first program; nothing is overwritten."""
     kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
@@ -72,8 +75,12 @@ def new(
         raise DiagnosticError(Diagnostic(BAD_ARGUMENTS, "new takes one name, and before it what it is", asked))
     if kind != "challenge" and preset is not None:
         raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, "--from is for challenges", "leave it out"))
+    if design and kind != "team":
+        raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, "--design is for teams", "leave it out"))
     if kind == "team":
         _write_team(name)
+        if design:
+            _write_robots(Path(name))
     elif kind == "robot":
         _write_robots(Path(name))
     else:
@@ -120,6 +127,7 @@ def _write_robots(folder: Path) -> None:
     sys.stdout.write(f"""{file}
 Now, with a challenge that has guidelines for robots:
   rcj-challenge check {shell_quoted(folder)} --scenario SCENARIO
+  rcj-challenge draw SCENARIO --design {shell_quoted(folder)} --out design.svg
 """)
 
 

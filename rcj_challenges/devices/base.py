@@ -318,6 +318,10 @@ class Device(Word):
         """Return where it sits: ahead and left of the robot's centre, and above the floor; None: anywhere within."""
         return None
 
+    def looks(self) -> tuple[float, float] | None:
+        """Return its bearing and the angle that it takes in, in rad; None: it looks at nothing."""
+        return None
+
     @property
     def numbers(self) -> int:
         """How many numbers a sample has."""

@@ -86,6 +86,9 @@ robots:
     def place(self) -> Vector:
         return self.ahead_m * math.cos(self.bearing_rad), self.ahead_m * math.sin(self.bearing_rad), self.height_m
 
+    def looks(self) -> tuple[float, float]:
+        return self.bearing_rad, self.field_of_view_rad
+
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"width": self.width, "height": self.height, "fov": self.field_of_view_rad, "near": NEAR_M,
                 "recognition": self.recognition}  # fmt: skip

@@ -85,6 +85,9 @@ robots:
     def place(self) -> Vector:
         return 0.0, 0.0, self.height_m
 
+    def looks(self) -> tuple[float, float]:
+        return 0.0, self.field_of_view_rad
+
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         first_rad, step_rad = self.bearings
         return {

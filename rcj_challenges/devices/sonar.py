@@ -64,6 +64,9 @@ robots:
     def place(self) -> Vector:
         return self.offset_m * math.cos(self.bearing_rad), self.offset_m * math.sin(self.bearing_rad), self.height_m
 
+    def looks(self) -> tuple[float, float]:
+        return self.bearing_rad, 0.0
+
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"min_value": 0.0, "max_value": 1000.0 * self.range_m, "bearing_rad": self.bearing_rad}
 

@@ -30,6 +30,9 @@ robots:
         "bumper, bearing 90°, 57.3° wide: 1 if it touched a wall, an obstacle or a robot in the last tick, else 0"
     )
 
+    def looks(self) -> tuple[float, float]:
+        return self.bearing_rad, self.angle_rad
+
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {}
 

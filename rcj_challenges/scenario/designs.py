@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -25,6 +25,7 @@ from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, listing
 from rcj_challenges.scenario.models.designs import Design, RobotFile
 from rcj_challenges.scenario.models.guidelines import Allowance, Guideline, Part
+from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
 from rcj_challenges.scenario.tree import Entries, Path, in_names, mark_of, plain
 
@@ -82,15 +83,43 @@ def judge_designs(data: bytes, guideline: Guideline, robots: int, ball_m: float,
         message = f"{counted(len(file.designs), 'design')}, {guideline.designs} allowed"
         verdict.problems.append(_problem(codes.DESIGN_TOO_MANY, message, "", tree, ("designs",)))
     for name, design in file.designs.items():
-        judge = _Judge(design, name, guideline, ball_m, kept)
-        for code, message, help_, path in judge.findings():
+        for code, message, help_, path in _judge(verdict, design, name, guideline, ball_m, kept):
             found = _problem(code, f"{name}: {message}", help_, tree, ("designs", name, *path))
             (verdict.problems if found.level == "error" else verdict.warnings).append(found)
-        verdict.prices[name] = judge.prices
-        verdict.costs[name] = {device: judge.costs[device] for device in design.devices if device in judge.costs}
     verdict.problems += _robots(file, robots, tree)
     verdict.robots = file.robots or tuple(file.designs) * robots
     return verdict
+
+
+def verdict_of_kits(kits: Mapping[str, Kit], guideline: Guideline, robots: Sequence[str]) -> Verdict:
+    """Return the verdict on designs that have become kits: what they cost; they were judged before.
+
+    Args:
+        kits: by name of the design.
+        guideline: of the seat.
+        robots: the design of each robot.
+    """
+    designs = {name: _design_of(kit, guideline) for name, kit in kits.items()}
+    verdict = Verdict(robots=tuple(robots), designs=designs)
+    for name, design in designs.items():
+        _judge(verdict, design, name, guideline, 0.0, {})
+    return verdict
+
+
+def _design_of(kit: Kit, guideline: Guideline) -> Design:
+    devices = {name: device for name, device in kit.devices.items() if name not in guideline.keeps}
+    return Design.model_construct(chassis=kit.chassis, devices=devices)
+
+
+def _judge(
+    verdict: Verdict, design: Design, name: str, guideline: Guideline, ball_m: float, kept: Mapping[str, Device]
+) -> list[_Finding]:
+    """Return what is wrong with a design, and note its prices in a verdict."""
+    judge = _Judge(design, name, guideline, ball_m, kept)
+    found = list(judge.findings())
+    verdict.prices[name] = judge.prices
+    verdict.costs[name] = {device: judge.costs[device] for device in design.devices if device in judge.costs}
+    return found
 
 
 def _read(data: bytes) -> tuple[Entries, RobotFile]:

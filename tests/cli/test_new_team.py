@@ -4,11 +4,14 @@ import json
 
 import pytest
 
+from rcj_challenges.checker.designs import check_designs
 from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.new import StarterError
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs.debugging import PORT
 from rcj_challenges.scenario.designs import judge_designs
+from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 from tests.cli.conftest import ONE_ROBOT
 from tests.cli.in_this_process import here
 from tests.scenario.test_designs import documented_guideline
@@ -60,6 +63,19 @@ def test_new_robots_of_a_team_are_within_the_guidelines_of_the_reference(team, m
         new("robot", "my_team")
 
 
+def test_a_new_team_with_a_design_finds_the_ball_with_the_robots_that_it_designed(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert new("team", "my_team", "--design") == 0
+    loaded = load("workshop")
+    with open_team("my_team", *loaded.scenario.entrants.values()) as team:
+        assert {one.code for one in check_designs(team, loaded).findings} == {"design.cost"}
+    robots = ["--set", "robots.B2.idle=true", "--set", "robots.B3.idle=true"]
+    match = ["run", "workshop", "--blue", "my_team", "--duration", "2", "--halves", "1", *robots, *ONE_ROBOT]
+    assert here(monkeypatch, tmp_path, *match, "--quiet", "--no-replay") == 0
+    (result,) = tmp_path.glob("runs/*/result.json")
+    assert json.loads(result.read_bytes())["faults"] == []
+
+
 def test_an_existing_folder_is_left_alone(team):
     (team / "robot.py").write_text("mine", encoding="utf-8")
     with pytest.raises(StarterError, match="exists already; nothing was written"):
@@ -85,6 +101,7 @@ def test_a_challenge_is_what_one_name_alone_makes(tmp_path, monkeypatch):
         ("car", "x"),
         ("team", "a", "b"),
         ("team", "x", "--from", "empty_field"),
+        ("challenge", "x", "--design"),
         ("team", "CON"),
     ],
 )

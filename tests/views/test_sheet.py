@@ -157,3 +157,15 @@ sequences: {{way: {{entity: ball, steps: [blue_goal, yellow_goal], wrong_step: b
         "- Chance decides “side” when a half starts: west (2 of 3) or east (1 of 3)",
         "- The sequence “way” of the ball: the blue goal",
     ]
+
+
+def test_guidelines_are_listed_with_limits_and_prices():
+    loaded = load("workshop")
+    text = section(sheet_markdown(loaded.scenario, loaded.roster).replace("\\", ""), "Robots that teams design")
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("|")]
+    parts = {row[0]: row[1:] for row in rows}
+    guideline = loaded.scenario.guidelines["workshop"]
+    assert {f"drive {name}" for name in guideline.drives} | set(guideline.devices) <= parts.keys()
+    assert parts["kicker"][:2] == ["400", "1"]
+    assert "up to 0.8: 0 points more, up to 1: 100 points more" in parts["kicker"][2]
+    assert all(words in text for words in ("3000 points", "diameter of 0.12 m", "up to 0.4 kg", "up to 3 designs"))

@@ -119,13 +119,13 @@ class Paper:
         """Add a marker; its place is chosen by `svg`."""
         self._markers.append(_Marker(self.px(at), offset_px, number, name, colour))
 
-    def svg(self, title: str, sections: Sequence[Section] = ()) -> str:
+    def svg(self, title: str, sections: Sequence[Section] = (), *, shown: str = "field") -> str:
         """Return the picture with a legend on its right, without sections that have no lines; or only the picture."""
         elements, width, height = self._with_markers(), self.width_px, self.height_px
         if sections:
             lines, below = _legend(title, sections, self.width_px + 8)
             elements, width, height = elements + lines, width + LEGEND_PX, max(height, below)
-        label, body = escaped(f"{title}: field"), "\n".join(elements)
+        label, body = escaped(f"{title}: {shown}"), "\n".join(elements)
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
             f'height="{height:.0f}" role="img" aria-label="{label}">\n'
