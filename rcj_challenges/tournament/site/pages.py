@@ -13,6 +13,7 @@ from rcj_challenges.core.files import slug
 from rcj_challenges.tournament.season import StageState, Status
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg
+from rcj_challenges.tournament.site.designs import publish_cards
 from rcj_challenges.tournament.site.model import MatchView, Season
 from rcj_challenges.tournament.site.plots import distribution_plot, form_plot
 from rcj_challenges.tournament.site.podium import podiums, publish_certificates
@@ -185,7 +186,8 @@ def publish_teams(tree: Tree, renderer: Renderer, season: Season) -> None:
         matches = season.of_team(team)
         went = [match.result_for(team) for match in matches]
         listed.append((team, went.count("won"), went.count("drawn"), went.count("lost")))
-        renderer.write(tree, f"teams/{slug(team)}.html", "team.html", **_team(season, team, matches))
+        cards = publish_cards(tree, season, team)
+        renderer.write(tree, f"teams/{slug(team)}.html", "team.html", cards=cards, **_team(season, team, matches))
     renderer.write(tree, "teams/index.html", "teams.html", teams=listed)
 
 

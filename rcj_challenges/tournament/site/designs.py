@@ -1,0 +1,74 @@
+"""The robots that teams have designed, as cards with picture and price: those of a team's latest released match."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.core.files import slug
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import SCENARIO, read_file
+from rcj_challenges.records.lines import parsed
+from rcj_challenges.records.recorded_scenario import read_scenario
+from rcj_challenges.scenario.designs import verdict_of_kits
+from rcj_challenges.tournament.site.model import MatchView, Season
+from rcj_challenges.tournament.site.tree import Tree
+from rcj_challenges.views.drawing.designs import design_card, points_words
+from rcj_challenges.views.drawing.paper import Entry
+
+
+@dataclass(frozen=True, slots=True)
+class RobotCard:
+    """A robot by its number, the name of its design and what it costs.
+
+    Attributes:
+        picture: the file with its picture, beside the team's page.
+        lines: what is in it.
+    """
+
+    number: int
+    design: str
+    cost: str
+    picture: str
+    lines: list[Entry]
+
+
+def publish_cards(tree: Tree, season: Season, team: str) -> list[RobotCard]:
+    """Write the pictures of a team's robots, and return their cards; none if it plays with those of the challenge."""
+    found = next((one for match in season.latest if (one := _seat_and_record(match, team))), None)
+    if found is None:
+        return []
+    seat, record = found
+    try:
+        if not _entrant(parsed(read_file(record / SCENARIO)), seat).get("kits"):
+            return []
+        scenario = read_scenario(record)
+    except (OSError, ValueError, RecursionError, RecordError):
+        return []  # the page of the match is without its replay then
+    entrant = scenario.entrants[seat]
+    guideline = scenario.guidelines[entrant.design or ""]
+    names = {kit: kit.removeprefix(f"design_{seat}_").partition("_")[2] or kit for kit in entrant.kits}
+    kits = {name: scenario.kits[kit] for kit, name in names.items()}
+    verdict = verdict_of_kits(kits, guideline, [names[kit] for kit in entrant.kits])
+    drawn = {name: design_card(verdict, name, guideline) for name in kits}
+    files = {name: f"{slug(team)}.{number}.svg" for number, name in enumerate(drawn, 1)}
+    for name, card in drawn.items():
+        tree.write(f"teams/{files[name]}", card.picture)
+    return [
+        RobotCard(number, name, points_words(verdict, name, guideline), files[name], drawn[name].lines)
+        for number, name in enumerate(verdict.robots, 1)
+    ]
+
+
+def _entrant(data: Any, seat: str) -> Mapping[str, Any]:
+    entrant = data.get("entrants", {}).get(seat) if isinstance(data, dict) else None
+    return entrant if isinstance(entrant, dict) else {}
+
+
+def _seat_and_record(match: MatchView, team: str) -> tuple[str, Path] | None:
+    """Return where a team played by itself, and the record; None if it did not, or there is none."""
+    record = match.played.record if match.played else None
+    seats = [side.seat for side in match.fixture.sides if side.teams == (team,)]
+    return (seats[0], record) if seats and record is not None else None
