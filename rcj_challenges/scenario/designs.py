@@ -227,7 +227,7 @@ class _Judge:
         if place is not None:
             beyond_m = max(_beyond_m(self._chassis, *place[:2]), place[2] - self._chassis.height_m)
             if beyond_m > _OUTSIDE_M:
-                yield codes.DESIGN_OUTSIDE, f"'{name}' sits {metres(beyond_m)} outside of the body", "", path
+                yield codes.DESIGN_OUTSIDE, f"'{name}' sits {_metres_up(beyond_m)} outside of the body", "", path
 
     def _part(self, name: str, word: Chassis | Device, part: Part, path: Path) -> Iterator[_Finding]:
         """Yield what is wrong with the fields of a part, and note its price."""
@@ -258,8 +258,8 @@ class _Judge:
         widest = max(reaches, key=reaches.__getitem__)
         if 2 * reaches[widest] > limits.max_diameter_m + 1e-9:
             message = (
-                f"it needs a cylinder of {metres(2 * reaches[widest])}, {metres(limits.max_diameter_m)} are allowed: "
-                f"{widest.replace('_', ' ')} reaches furthest"
+                f"it needs a cylinder of {_metres_up(2 * reaches[widest])}, {metres(limits.max_diameter_m)} are allowed"
+                f": {widest.replace('_', ' ')} reaches furthest"
             )
             yield codes.DESIGN_TOO_WIDE, message, "", ("chassis",)
         if chassis.height_m > limits.max_height_m:
@@ -303,6 +303,11 @@ def _limit(amount: float, allowance: Allowance) -> str:
 
 def _price(amount: float, allowance: Allowance) -> int:
     return next((points for up_to, points in allowance.prices if amount <= up_to), 0)
+
+
+def _metres_up(length_m: float) -> str:
+    """A length that is too long, rounded up to 0.1 mm."""
+    return metres(math.ceil(length_m * 10_000) / 10_000)
 
 
 def _beyond_m(chassis: Chassis, ahead_m: float, left_m: float) -> float:

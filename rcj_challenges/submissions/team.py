@@ -14,6 +14,7 @@ from rcj_challenges.core.codes import CANNOT_WRITE
 from rcj_challenges.core.errors import format_error, is_of_the_host
 from rcj_challenges.core.similarity import MAX_COMPARED, nearest_name
 from rcj_challenges.core.temporary_folder import temporary_folder_error
+from rcj_challenges.scenario.designs import ROBOT_FILE
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 from rcj_challenges.submissions.archive import Contents, Files, TeamError, read_contents, refusal
 from rcj_challenges.submissions.codes import LAYOUT_MISSING
@@ -404,7 +405,7 @@ def missing_programs(
     python = ([name for name in present if name.endswith(".py")] or present)[:MAX_COMPARED]
     found = ", ".join(map(safe_text, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
     message = f"no program for {looked_for}; found: {found or 'nothing'}"
-    candidates = [name for name in python if PurePosixPath(name) not in others]
+    candidates = [name for name in python if PurePosixPath(name) not in others and name != ROBOT_FILE]
     nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, candidates)))
     for near, entry in nearest if hint else ():
         return f"{message}; did you mean {safe_text(near)} to be {entry}?"

@@ -170,6 +170,11 @@ def test_any_change_of_a_name_or_a_byte_changes_the_digest(tmp_path: Path) -> No
     assert len(digests) == 4
 
 
+def test_the_file_of_designs_is_not_taken_for_a_program() -> None:
+    files = {PurePosixPath("robot.yaml"): b""}
+    assert "did you mean" not in missing_programs(files, {"B1": ("robot.py",)})
+
+
 def test_a_missing_program_is_reported_with_what_was_looked_for_what_is_there_and_the_nearest(tmp_path: Path) -> None:
     with pytest.raises(TeamError) as caught:
         open_team(folder_of(tmp_path, {"rcj_soccer_team_blue/rcj_soccer_team_bleu.py": b"x"}), BLUE)
