@@ -19,6 +19,7 @@ from rcj_challenges.rules.effects import Ends
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import places_of, series_of
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
+from rcj_challenges.scenario.models.state import Counter, Flag
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.state import Number
 
@@ -193,41 +194,29 @@ def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
 
 
 def _as_given(scenario: Scenario, given: Given) -> Scenario:
-    """Return the scenario with what a test presets as the initial values of its counters and flags.
-
-    What is preset for single entities is kept from the half before instead: see `_kept`.
-    """
+    """Return the scenario, in which what a test presets is kept from the half before: see `_kept`."""
     changed = {
-        section: {
-            **entries,
-            **{
-                name: entries[name].model_copy(
-                    update={"keep": "match"} if isinstance(value, dict) else {"initial": value}
-                )
-                for name, value in preset.items()
-            },
-        }
+        section: {**entries, **{name: entries[name].model_copy(update={"keep": "match"}) for name in preset}}
         for section, entries, preset in _presets(scenario, given)
         if preset
     }
     return scenario.model_copy(update=changed) if changed else scenario
 
 
-def _kept(scenario: Scenario, roster: Roster, given: Given) -> dict[str, dict[str, dict[str, Scalar]]]:
-    """Return the presets of single entities, as the half before would have left them; others are at first."""
+def _kept(scenario: Scenario, roster: Roster, given: Given) -> dict[str, dict[str, Any]]:
+    """Return what a test presets, as the half before would have left it; members without a preset are at first."""
     return {
-        section: {
-            name: {
-                member: one if isinstance(one, bool) else round_score(one)
-                for member, one in (
-                    dict.fromkeys(roster.expand(entries[name].per), entries[name].initial) | value
-                ).items()
-            }
-            for name, value in preset.items()
-            if isinstance(value, dict)
-        }
+        section: {name: _preset(entries[name], value, roster) for name, value in preset.items()}
         for section, entries, preset in _presets(scenario, given)
     }
+
+
+def _preset(entry: Counter | Flag, value: Any, roster: Roster) -> Any:
+    if isinstance(value, int | float) and entry.per is None:
+        return value if isinstance(value, bool) else round_score(value)
+    members = roster.expand(entry.per or ())
+    found = dict.fromkeys(members, entry.first) | (value if isinstance(value, dict) else dict.fromkeys(members, value))
+    return {member: one if one is None or isinstance(one, bool) else round_score(one) for member, one in found.items()}
 
 
 def _presets(
@@ -334,7 +323,7 @@ def _ended(match: ScriptedMatch) -> str:
 
 def _number(referee: Referee, name: str) -> Number | None:
     value = referee.counters.get(name, referee.scores.get(name))
-    return round_score(sum(value.values())) if isinstance(value, dict) else value
+    return round_score(sum(one or 0 for one in value.values())) if isinstance(value, dict) else value
 
 
 def _of_each(what: str, expected: Mapping[str, Scalar], found: object, tolerance: float | None = None) -> Iterable[str]:

@@ -206,8 +206,6 @@ def _number_or_none(value: Any) -> float | None:
 def _counter(value: Any) -> Score | dict[str, Score]:
     if isinstance(value, dict):
         return _points(value)
-    if value is None:
-        raise TypeError("not a number")
     return _number_or_none(value) or 0
 
 

@@ -96,8 +96,8 @@ class Referee:
         return self._state.phase
 
     @property
-    def counters(self) -> dict[str, Number | dict[str, Number]]:
-        """Counters by name; those kept per entity as a mapping."""
+    def counters(self) -> dict[str, Number | dict[str, Number | None] | None]:
+        """Counters by name, those kept per entity as a mapping; None: it has no value."""
         return self._state.counters
 
     @property

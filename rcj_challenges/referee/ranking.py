@@ -89,7 +89,7 @@ def _count(half: Tally, name: str, robots: tuple[str, ...]) -> Score:
     """Return the count of a half: of a counter that is kept, what the half adds."""
 
     def of_the_robots(counted: Score | Mapping[str, Score]) -> Score:
-        return add_up(counted.get(robot, 0) for robot in robots) if isinstance(counted, Mapping) else counted
+        return add_up(counted.get(robot) or 0 for robot in robots) if isinstance(counted, Mapping) else counted or 0
 
     return of_the_robots(half.counters[name]) - of_the_robots(half.began.get(name, 0))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from rcj_challenges.core.amounts import plain, round_score
 from rcj_challenges.core.play import HalfInfo
@@ -40,22 +41,17 @@ class State(RefereeState):
         self._fill()
 
     def _fill(self) -> None:
-        kept_counters, kept_flags = self.half.kept.get("counters", {}), self.half.kept.get("flags", {})
-        for name, counter in self.scenario.counters.items():
-            first = round_score(counter.initial)
-            if counter.keep == "match" and name in kept_counters:
-                kept = kept_counters[name]
-                self.counters[name] = dict(kept) if isinstance(kept, dict) else kept
-            else:
-                self.counters[name] = first if counter.per is None else dict.fromkeys(self._members(counter.per), first)
-        for name, flag in self.scenario.flags.items():
-            if flag.keep == "match" and name in kept_flags:
-                kept = kept_flags[name]
-                self.flags[name] = dict(kept) if isinstance(kept, dict) else bool(kept)
-            elif flag.per is None:
-                self.flags[name] = flag.initial
-            else:
-                self.flags[name] = dict.fromkeys(self._members(flag.per), flag.initial)
+        sections: tuple[tuple[str, dict[str, Any]], ...] = (("counters", self.counters), ("flags", self.flags))
+        for section, values in sections:
+            kept = self.half.kept.get(section, {})
+            for name, one in getattr(self.scenario, section).items():
+                first = round_score(one.first) if section == "counters" and one.first is not None else one.first
+                self.first.setdefault(section, {})[name] = first
+                values[name] = first if one.per is None else dict.fromkeys(self._members(one.per), first)
+                if one.keep == "match" and name in kept:
+                    values[name] = dict(kept[name]) if isinstance(kept[name], dict) else kept[name]
+        keeps = {"lowest": min, "highest": max}
+        self.keeps = {name: keeps[one.keeps] for name, one in self.scenario.counters.items() if one.keeps is not None}
         for name, timer in self.scenario.timers.items():
             members = (None,) if timer.per is None else self._members(timer.per)
             since = 0 if timer.starts else None

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
+from typing import Any
 
 from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.core.play import HalfInfo, Pose2
@@ -58,6 +60,8 @@ class RefereeState:
         scores: by entrant, as seated in this half.
         messages: by robot, its last radio message to the referee in this half.
         counters, flags: by name; a mapping by entity for those kept per entity.
+        first: the values at the beginning of a half, by section and name.
+        keeps: by counter that keeps the lowest or highest of what it is given, how that is found.
         timers: by name, then entity (None for one that is not kept per entity).
         entrant_of: by robot, the entrant it plays for.
         ended: None, or why an ``end`` action ended the half.
@@ -80,8 +84,10 @@ class RefereeState:
         self.placed_at: list[tuple[float, float]] = []
         self.messages: dict[str, str] = {}
         self.scores: dict[str, Number] = {}
-        self.counters: dict[str, Number | dict[str, Number]] = {}
+        self.counters: dict[str, Number | dict[str, Number | None] | None] = {}
         self.flags: dict[str, bool | dict[str, bool]] = {}
+        self.first: dict[str, dict[str, Any]] = {}
+        self.keeps: dict[str, Callable[[Number, Number], Number]] = {}
         self.timers: dict[str, dict[str | None, Clock]] = {}
         self.draws: dict[str, Scalar] = {}
         self.ended: str | None = None
@@ -114,13 +120,12 @@ class RefereeState:
         (x, y, _), (was_x, was_y, _) = self.poses[entity], self.before[entity]
         return sqrt((x - was_x) ** 2 + (y - was_y) ** 2) / TICK_S
 
-    def counter(self, name: str, entity: str | None) -> Number:
-        """Return a counter; one kept per entity without an entity is the sum; an entrant's name is its score."""
-        value = self.counters.get(name)
-        if value is None:
-            return self.scores[name]
+    def counter(self, name: str, entity: str | None) -> Number | None:
+        """Return a counter; None: it has no value; one kept per entity without an entity is the sum."""
+        value = self.counters[name]
         if isinstance(value, dict):
-            return value[entity] if entity is not None else round_score(add_up(value.values()))
+            numbers = (one for one in value.values() if one is not None)
+            return value[entity] if entity is not None else round_score(add_up(numbers))
         return value
 
     def flag(self, name: str, entity: str | None) -> bool:

@@ -66,7 +66,7 @@ class TestDeniedRule:
             ("{action: count, counter: goals}", "counters: {goals: 1}"),
             ("{action: count, counter: own, entity: Y1}", "counters: {own: {Y1: 1}}"),
             ("{action: set_flag, flag: up}", "flags: {up: true}"),
-            ("{action: toggle_flag, flag: up}", "flags: {up: true}"),
+            ("{action: set_flag, flag: up, to: opposite}", "flags: {up: true}"),
             ("{action: set_phase, phase: pause}", "phase: pause"),
             ("{action: end}", "ended: half"),
             ("{action: end, what: match}", "ended: match"),

@@ -72,7 +72,7 @@ def test_integer_and_fraction_in_a_payload_have_different_digests() -> None:
 
 
 def test_explicit_default_value_has_the_digest_of_an_omitted_one() -> None:
-    assert inputs("counters: {n: {}}\n") == inputs("counters: {n: {initial: 0}}\n")
+    assert inputs("flags: {n: {}}\n") == inputs("flags: {n: {initial: false}}\n")
     assert inputs("counters: {n: {}}\n") != inputs("counters: {n: {initial: 1}}\n")
 
 

@@ -136,7 +136,7 @@ class TestActionPlace:
             "flags: {turned: {}}\nplacements: {one: [{entity: B1, at: {point: [0.2, 0.4]}}]}",
             at_tick_10(
                 "{action: place, layout: one, mirror: {axis: y, when: turned}}",
-                "{action: toggle_flag, flag: turned}",
+                "{action: set_flag, flag: turned, to: opposite}",
             ),
         )
         assert acted(stage(*sections)).pose("B1")[:2] == pytest.approx((0.2, 0.4))  # as it was when asked for

@@ -56,7 +56,7 @@ class TestWhoGetsPoints:
 
 class TestActionSequence:
     RESTARTS = (
-        "  restarts: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: sequence, sequence: way}]}\n"
+        "  restarts: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: reset, sequence: way}]}\n"
     )
 
     def test_it_stands_at_its_first_step_if_the_entity_is_in_it(self, stage):

@@ -160,11 +160,11 @@ class TestConditionSequenceAt:
 
 
 class TestActionSequence:
-    @pytest.mark.parametrize(("whose", "done"), [("", []), (", entity: Y1", ["B1"]), (", entity: each", ["Y1"])])
-    def test_entity_selects_the_restarted_sequence_and_without_it_all_restart(self, stage, whose, done):
+    @pytest.mark.parametrize(("whose", "done"), [("", ["Y1"]), (", entity: Y1", ["B1"]), (", entity: robots", [])])
+    def test_that_of_the_member_restarts_or_those_that_are_named(self, stage, whose, done):
         restarts = (
             "rules: {restarts: {for_each: blue, triggers: [{trigger: program_fault, robot: each}], "
-            f"actions: [{{action: sequence, sequence: way{whose}}}]}}}}"
+            f"actions: [{{action: reset, sequence: way{whose}}}]}}}}"
         )
         play = stage(PLAIN, HEARD, restarts)
         for robot in ("Y1", "B1"):

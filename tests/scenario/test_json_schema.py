@@ -103,7 +103,7 @@ def test_every_number_with_a_unit_in_its_name_describes_the_unit():
         rule(rest="    phases: {param: x}\n"),
         rule("{trigger: displaced, entity: ball, distance_m: 1, from: {param: x}}"),
         rule(action="{action: remove, entity: ball, back_at: {param: x}}"),
-        rule(action="{action: sequence, sequence: lap, do: {param: x}}"),
+        rule(action="{action: timer, timer: clock, do: {param: x}}"),
         "id: {param: x}\n",
         "schema_version: {param: x}\n",
         # Also for a word by which the schema knows what else may stand there.

@@ -123,3 +123,20 @@ def test_that_a_robot_is_held_was_a_value_of_its_own():
     emit = "{action: emit, event: E, payload: {a: %s, b: %s}}"
     first = scenario(1, emit % ("{held: B1}", "{word: score, of: blue}"))
     assert first == scenario(2, emit % ("{entity: B1, held: true}", "{score: blue}"))
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("{action: toggle_flag, flag: seen}", "{action: set_flag, flag: seen, to: opposite}"),
+        ("{action: sequence, sequence: s, do: reset}", "{action: reset, sequence: s, entity: yellow}"),
+        ("{action: sequence, sequence: s, entity: each}", "{action: reset, sequence: s, entity: each}"),
+    ],
+)
+def test_flags_were_turned_over_and_sequences_reset_by_actions_of_their_own(first, second):
+    more = "sequences: {s: {per: yellow, steps: [blue_goal, yellow_goal]}}\n"
+    rules = (
+        load_text(HEAD % version + KEPT + more + RULE % ("for_each: yellow, ", "", action)).scenario.rules
+        for version, action in enumerate((first, second), 1)
+    )
+    assert next(rules) == next(rules)

@@ -36,8 +36,9 @@ def contradictions(findings: list[Diagnostic], scenario: Scenario, play: Scripte
             case "event-never-emitted":
                 reported = re.search(r"'([A-Z][A-Z0-9_]*)'", finding.message)
                 wrong = reported is not None and reported[1] in events
-            case "never-written" if section == "counters" and abs(scenario.counters[name].initial) <= 1e15:
-                wrong = _all(referee.counters[name]) != {round_score(scenario.counters[name].initial)}
+            case "never-written" if section == "counters" and abs(scenario.counters[name].first or 0) <= 1e15:
+                first = scenario.counters[name].first
+                wrong = _all(referee.counters[name]) != {None if first is None else round_score(first)}
             case "never-written" if section == "flags":
                 wrong = _all(referee.flags[name]) != {scenario.flags[name].initial}
             case "no-way-to-score":

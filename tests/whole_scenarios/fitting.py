@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING, Any
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.reset import Reset
 from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.actions.sequence import SequenceAction
 from rcj_challenges.rules.actions.set_flag import SetFlag
 from rcj_challenges.rules.actions.timer import TimerAction
-from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.conditions import CONDITIONS
 from rcj_challenges.rules.conditions.counter import CounterIs
 from rcj_challenges.rules.conditions.distance import DistanceIs
@@ -106,6 +105,16 @@ def _both(*fits: Callable[[Maker, Data], None]) -> Callable[[Maker, Data], None]
             one(maker, data)
 
     return fit
+
+
+def _reset(maker: Maker, data: Data) -> None:
+    """Keep one of what is reset: not all of it is kept for the same."""
+    key = next((one for one in ("sequence", "flag", "counter") if one in data), "counter")
+    names = data.get(key) or maker.field(Reset, key)
+    for one in ("flag", "counter"):
+        data.pop(one, None)
+    data[key] = names if isinstance(names, str) else names[0]
+    _kept_each(key)(maker, data)
 
 
 def _one_bound(maker: Maker, data: Data) -> None:
@@ -257,9 +266,8 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     Score: _bounded,
     Count: _both(_kept_each("counter"), _bounded, _count),
     SetFlag: _kept_each("flag"),
-    ToggleFlag: _kept_each("flag"),
     TimerAction: _both(_kept_each("timer"), _lengthens),
-    SequenceAction: _kept_each("sequence"),
+    Reset: _reset,
     DrawAction: _drawn("as"),
     SequenceCompleted: _kept_each("sequence"),
     SequenceBroken: _kept_each("sequence"),

@@ -10,13 +10,12 @@ from rcj_challenges.rules.actions.hold import Hold
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.release import Release
 from rcj_challenges.rules.actions.remove import Remove
+from rcj_challenges.rules.actions.reset import Reset
 from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.actions.sequence import SequenceAction
 from rcj_challenges.rules.actions.set_flag import SetFlag
 from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.actions.timer import TimerAction
-from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.base import Action, Vocabulary
 
 ACTIONS = Vocabulary("action")
@@ -24,9 +23,8 @@ ACTIONS.add(
     Score,
     Count,
     SetFlag,
-    ToggleFlag,
     TimerAction,
-    SequenceAction,
+    Reset,
     SetSpot,
     DrawAction,
     Place,

@@ -22,7 +22,9 @@ class Count(Action):
     by: Amount | None = described(
         None, "what is added; 1 if neither `by` nor `to` is given; if there is no such number, nothing"
     )
-    to: Amount | None = described(None, "the new value; if there is no such number, the counter keeps its value")
+    to: Amount | None = described(
+        None, "the new value, or one of which it keeps the best; if there is no such number, it keeps its value"
+    )
     keeps_at_least: float | None = described(
         None, "with `by`: the counter does not fall below this; a value that is already lower stays unchanged"
     )
@@ -56,12 +58,14 @@ expect:
         new = None if self.to is None else compile_amount(self.to, to)
         by = 1 if self.by is None and self.to is None else self.by
         step = None if by is None else compile_amount(by, to)
-        bounded = change_bound(self)
+        bounded, best_of = change_bound(self), to.state.keeps.get(name)
 
-        def changed(value: Number, firing: Firing) -> Number:
+        def changed(value: Number | None, firing: Firing) -> Number | None:
             start, change = value if new is None else new(firing), 0 if step is None else step(firing)
             if start is None or change is None:
                 return value
+            if new is not None and best_of is not None and value is not None:
+                start = best_of(value, start)
             return round_score(start + bounded(change, start))
 
         def act(firing: Firing) -> None:

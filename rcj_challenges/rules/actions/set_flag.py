@@ -1,6 +1,5 @@
 """The action ``set_flag``."""
 
-from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
@@ -16,14 +15,14 @@ class SetFlag(Action):
     entity: Annotated[Name | None, WHOSE] = described(
         None, "for a flag kept per entity: which entity, or each; if omitted: all of them"
     )
-    to: bool = described(True, "the new value")
+    to: Literal["opposite"] | bool = described(True, "the new value; opposite: the other one than before")
 
     EXAMPLE = """
 flags: {armed: {}, side: {}}
 rules:
   arm:
     triggers: [{trigger: enters, entity: ball, zone: blue_penalty_area}]
-    actions: [{action: set_flag, flag: armed, to: true}, {action: toggle_flag, flag: side}]
+    actions: [{action: set_flag, flag: armed}, {action: set_flag, flag: side, to: opposite}]
 expect:
   both_are_true:
     keyframes: [{at_s: 1, place: {ball: [0, 0.65]}}]
@@ -33,23 +32,21 @@ expect:
     SENTENCE = "the flag “armed” is set"
 
     def compile(self, to: Binder) -> Act:
-        new = self.to
-        return change_flag(to, self.flag, self.entity, lambda _value: new)
+        flags, name, new, whose = to.state.flags, self.flag, self.to, to.whose(self.entity)
+
+        def changed(value: bool) -> bool:
+            return not value if new == "opposite" else new
+
+        def act(_firing: Firing) -> None:
+            value = flags[name]
+            if isinstance(value, dict):
+                for member in value if whose is None else (whose,):
+                    value[member] = changed(value[member])
+            else:
+                flags[name] = changed(value)
+
+        return act
 
     def describe(self, phrases: Phrases) -> str:
-        return f"{phrases.every_kept('flag', self.flag, self.entity)} is {'set' if self.to else 'cleared'}"
-
-
-def change_flag(to: Binder, name: str, entity: str | None, new: Callable[[bool], bool]) -> Act:
-    """Return a function that changes a flag, of one or of all that have one."""
-    flags, whose = to.state.flags, to.whose(entity)
-
-    def act(_firing: Firing) -> None:
-        value = flags[name]
-        if isinstance(value, dict):
-            for member in value if whose is None else (whose,):
-                value[member] = new(value[member])
-        else:
-            flags[name] = new(value)
-
-    return act
+        done = {True: "set", False: "cleared", "opposite": "turned over"}[self.to]
+        return f"{phrases.every_kept('flag', self.flag, self.entity)} is {done}"

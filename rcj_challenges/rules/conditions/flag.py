@@ -32,7 +32,7 @@ flags:
 rules:
   switch:
     triggers: [{trigger: touches, entity: robots, other: ball}]
-    actions: [{action: toggle_flag, flag: lights}]
+    actions: [{action: set_flag, flag: lights, to: opposite}]
   late:
     triggers: [{trigger: time_reached, at_s: 3}]
     actions: [{action: set_flag, flag: doubled}]

@@ -37,7 +37,7 @@ expect:
 """
     SENTENCE = "the counter “goals”"
 
-    def now(self, to: Scope) -> Callable[[], Number]:
+    def now(self, to: Scope) -> Callable[[], Number | None]:
         state, name, whose = to.state, self.counter, self.whose(to)
         return lambda: state.counter(name, whose)
 

@@ -94,6 +94,7 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         here, there = self.distance
-        one, other = phrases.point(here, there), phrases.point(there, here)
+        one = phrases.any_of(here) if isinstance(here, tuple) and is_named(here) else phrases.point(here, there)
+        other = phrases.point(there, here)
         inside = any(isinstance(end, str) and phrases.may_be_zone(end) for end in self.distance)
         return f"the distance between {one} and {other} in {self.UNIT}" + (" (0 inside)" if inside else "")

@@ -291,8 +291,9 @@ class _Walker:
 
     def _relations(self, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         owner = getattr(model, "OWNER", "entity")
-        if key := next((key for key in _KEPT if owner in fields(model) and key in fields(model)), None):
-            self._owner(key, owner, model, node, path, scope)
+        kept = ((key, name) for key in _KEPT if key in fields(model) for name in texts(node.entries.get(key)))
+        for key, name in kept if owner in fields(model) else ():
+            self._owner(key, name, owner, model, node, path, scope)
         for name, info in model.model_fields.items() if "draw" in node.entries else ():
             if (mark := drawn_value(model, name)) is not None:
                 self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
@@ -316,10 +317,10 @@ class _Walker:
         if name := next((one for one in names if kinds.get(one, "ball") != "ball"), None):
             self.add(codes.WRONG_KIND, (*path, "kick"), f"only balls roll: '{name}' is {_with_a(kinds[name])}")
 
-    def _owner(self, key: str, owner: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
+    def _owner(self, key: str, name: str, owner: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         """Check ``entity`` beside something that may be kept for each member of a group, or its absence."""
         roster, kinds = self.roster, self.roster.kinds
-        name, whose = next(iter(texts(node.entries.get(key))), ""), node.entries.get(owner)
+        whose = node.entries.get(owner)
         entry = node_at(self.root, (_KEPT[key], name))
         group = next(iter(texts(child(entry, "per"))), "")
         if group not in {"", *roster.groups, *kinds} or (entry is None and name not in roster.names("entrants")):

@@ -37,7 +37,7 @@ _WORDS: dict[str, dict[str, str]] = {
         "set_counter increment decrement add inc": _COUNT,
         "set_score points penalty goal": _SCORE,
         "teleport move put respawn": "did you mean 'place'? It puts a robot, a ball, or a whole layout somewhere",
-        "reset": "'place' puts things back, 'count' with to: 0 a counter, 'timer' with do: start a timer",
+        "toggle_flag toggle": "'set_flag' with to: opposite turns a flag over",
         "disqualify eliminate delete": "did you mean 'remove', with for_s or for good?",
         "log say print announce": "an event is written by {action: emit, event: NAME}; a rule's sentence is its 'says'",
         "end_match win lose": "did you mean 'end'? It ends the half or the match",

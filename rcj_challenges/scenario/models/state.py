@@ -40,7 +40,11 @@ class Counter(Strict):
     falls under its negative: it stays there.
     """
 
-    initial: float = described(0.0, "value at the start of a half or, with keep: match, at the start of the match")
+    initial: Literal["none"] | float | None = described(
+        None,
+        "value at the start of a half or, with keep: match, at the start of the match; none: there is no such number "
+        "yet; if omitted: 0 or, with keeps, none",
+    )
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own counter"
     )
@@ -49,6 +53,16 @@ class Counter(Strict):
         "match: the value is kept for the next half and stays with the robot, not the team; "
         "half, or omitted: it is reset",
     )
+    keeps: Literal["lowest", "highest"] | None = described(
+        None, "of the values that `to` gives it, the lowest or the highest is kept; if omitted: the last one"
+    )
+
+    @property
+    def first(self) -> float | None:
+        """The value at the beginning; None: there is none."""
+        if self.initial is None:
+            return None if self.keeps else 0.0
+        return None if self.initial == "none" else self.initial
 
 
 class Flag(Strict):
@@ -59,6 +73,11 @@ class Flag(Strict):
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own flag"
     )
     keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half")
+
+    @property
+    def first(self) -> bool:
+        """The value at the beginning."""
+        return self.initial
 
 
 class Timer(Strict):
@@ -91,7 +110,7 @@ class AnyStep(Strict):
 class Sequence(Strict):
     """Steps to complete in order: zones to enter, gates to cross forward.
 
-    It starts again when it is complete (a cyclic one goes on), when the action `sequence` says so, and, unless it shall
+    It starts again when it is complete (a cyclic one goes on), when the action `reset` says so, and, unless it shall
     go on, when a rule puts its entity somewhere or takes it off the field.
     """
 

@@ -73,10 +73,24 @@ class _Rule:
                 self._bound(node, key)
             if keys:
                 _limit_amount(node, keys)
+            self._action(node)
             if "condition" in node.entries and _text(node, "trigger") != "holds":
                 _convert_condition(node)
         for node in _mappings(self._rule):
             _flatten(node)
+
+    def _action(self, action: Entries) -> None:
+        """A flag was turned over, and a sequence reset, of all that it is kept for, by an action of its own."""
+        word, mark = _text(action, "action"), action.mark
+        if word == "toggle_flag":
+            action.put("action", Leaf("set_flag", mark), mark)
+            action.put("to", Leaf("opposite", mark), mark)
+        elif word == "sequence":
+            action.put("action", Leaf("reset", mark), mark)
+            action.entries.pop("do", None)
+            per = self._per("sequences", _text(action, "sequence"))
+            if per and self._group and "entity" not in action.entries:
+                action.put("entity", Leaf(per, mark), mark)
 
     def _amount(self, action: Entries, key: str) -> None:
         amount = action.entries.get(key)

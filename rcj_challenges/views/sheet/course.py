@@ -63,14 +63,18 @@ def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
 def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) -> str:
     """Return the first value of a counter or flag, if that is not 0 or unset in each half."""
     stays = one.keep == "match" and phrases.scenario.match.halves > 1
-    if not one.initial and not stays:
+    if not one.first and one.first is not None and not stays:
         return ""
-    initial = ("set" if one.initial else "not set") if isinstance(one, Flag) else number(one.initial)
+    initial = ("set" if one.first else "not set") if isinstance(one, Flag) else _number_words(one.first)
     which, half = quoted_measure(name) if kind == "counter" else quoted(name), phrases.period
     owners = phrases.owners(kind, name)
     of = f" of {phrases.each_of(owners)}" if owners else ""
     when = f"the match starts, and goes on from {half} to {half}" if stays else f"{half.a} starts"
     return f"The {kind} {which}{of} is {initial} when {when}."
+
+
+def _number_words(value: float | None) -> str:
+    return "nothing" if value is None else number(value)
 
 
 def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
