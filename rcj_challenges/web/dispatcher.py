@@ -20,7 +20,7 @@ from typing import Any
 from django.db import DatabaseError, close_old_connections, connections
 
 from rcj_challenges.match.worker_pool import python_command
-from rcj_challenges.web import jobs, matchmaking, seasons
+from rcj_challenges.web import deadlines, events, jobs, matchmaking, seasons
 from rcj_challenges.web.blobs import Blobs, record_folder, report_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.jobs import Verdict
@@ -180,6 +180,8 @@ class Dispatcher:
                 if claim in self._processes:
                     self._processes[claim].kill()
         with _logged():
+            events.attend(self._now())
+        with _logged():
             matchmaking.fill(self._config.lanes, self._now(), seasons.fitting_bases(self._versions))
 
     def _do(self, job: Job, claim: tuple[int, int]) -> Callable[[Job], None]:
@@ -202,6 +204,7 @@ class Dispatcher:
         verdict = Verdict(state, report["level"], report["digest"], report)
 
         def store(_job: Job) -> None:
+            deadlines.close(self._now())
             jobs.store_verdict(submission, verdict)
             if folder.exists():  # else it was moved by a first attempt to store the verdict
                 shown = report_folder(self._config.folder, submission)

@@ -157,6 +157,45 @@ class Season(models.Model):
             raise ValidationError(str(error)) from error
 
 
+class Event(models.Model):
+    """A tournament with what plays at its deadline (`events`).
+
+    Attributes:
+        choices: of its form: formats, sizes, and when the finals are shown.
+        address: of its pages, for calendars.
+        seed: of all random choices.
+        seed_hash: shown from the beginning.
+        closed_at: when the deadline was first seen to have passed.
+        chosen: by team what played then, and `Entry.chosen_over`.
+        frozen_at: when it was fixed what plays.
+        frozen: team, SHA-256 of its archive, and place in the ladder (0: none).
+        plays: whether its matches are to be played now.
+        played_at: when all were over.
+        publish_at: when there is something new to be shown.
+    """
+
+    season = models.ForeignKey(Season, on_delete=models.PROTECT)
+    title = models.CharField(max_length=80)
+    deadline = models.DateTimeField()
+    choices = models.JSONField()
+    address = models.CharField(max_length=200)
+    seed = models.CharField(max_length=64)
+    seed_hash = models.CharField(max_length=64)
+    closed_at = models.DateTimeField(null=True)
+    chosen = models.JSONField(default=dict)
+    frozen_at = models.DateTimeField(null=True)
+    frozen = models.JSONField(default=list)
+    plays = models.BooleanField(default=False)
+    played_at = models.DateTimeField(null=True)
+    publish_at = models.DateTimeField(null=True)
+
+    class Meta:
+        ordering = ("-deadline", "-id")
+
+    def __str__(self) -> str:
+        return self.title
+
+
 class State(models.TextChoices):
     """Where a submission stands.
 
@@ -177,6 +216,7 @@ class Submission(models.Model):
     Attributes:
         begun_at: when its upload began, which is what counts for a deadline.
         received_at: when it was on the disk and in the database.
+        late_for: the last event for which it came too late.
         level: the verdict of the check; empty until there is one.
         report: the report of the check as JSON.
         is_counted: whether it counts for the quotas: not if it was our fault, superseded or known before.
@@ -191,6 +231,7 @@ class Submission(models.Model):
     received_at = models.DateTimeField()
     via = models.CharField(max_length=10)
     is_late = models.BooleanField(default=False)
+    late_for = models.ForeignKey(Event, on_delete=models.PROTECT, null=True, blank=True)
     is_counted = models.BooleanField(default=True)
     state = models.CharField(max_length=12, choices=State.choices, default=State.QUEUED)
     level = models.CharField(max_length=10, blank=True)
@@ -312,6 +353,7 @@ class Job(models.Model):
     key = models.CharField(max_length=120, unique=True)
     submission = models.ForeignKey(Submission, on_delete=models.CASCADE, null=True, blank=True)
     match = models.ForeignKey(Match, on_delete=models.CASCADE, null=True, blank=True)
+    event = models.ForeignKey(Event, on_delete=models.CASCADE, null=True, blank=True)
     team = models.ForeignKey(Team, on_delete=models.CASCADE, null=True, blank=True)
     priority = models.IntegerField(default=0)
     state = models.CharField(max_length=8, choices=JobState.choices, default=JobState.QUEUED)

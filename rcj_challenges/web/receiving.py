@@ -14,7 +14,7 @@ from django.utils.timezone import localtime
 from django.utils.translation import gettext
 
 from rcj_challenges.core.codes import DISK_FULL
-from rcj_challenges.web import jobs
+from rcj_challenges.web import deadlines, jobs
 from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.codes import NO_SEASON, NO_TEAM, NOT_OPEN, NOT_STORED, TOO_MUCH, TOO_OFTEN
 from rcj_challenges.web.config import current_site
@@ -133,6 +133,7 @@ def _record(
         raise RefusedError(409, NO_TEAM, gettext("this team has been deleted"))
     if repaired_from is None:
         _ensure_within_quotas(team, begun_at)
+    late_for = deadlines.late_for(season, begun_at, now)
     mine = Submission.objects.filter(team=team, season=season)
     number = (mine.aggregate(last=Max("number"))["last"] or 0) + 1
     earlier = Submission.objects.filter(
@@ -148,10 +149,11 @@ def _record(
         received_at=now,
         via=via,
         is_late=season.closes_at is not None and begun_at > season.closes_at,
+        late_for=late_for,
         is_counted=earlier is None and via != "repair",
         repaired_from=repaired_from,
     )
-    _supersede(mine.exclude(pk=submission.pk).filter(state=State.QUEUED))
+    _supersede(mine.exclude(pk=submission.pk).filter(state=State.QUEUED, late_for=late_for))
     if earlier is not None:
         jobs.store_verdict(
             submission, jobs.Verdict(State(earlier.state), earlier.level, earlier.digest, earlier.report)

@@ -4,7 +4,7 @@ from django.contrib import admin
 from django.urls import path
 
 from rcj_challenges.web.api import api
-from rcj_challenges.web.views import desk, ladder, mentor, practice, public, team
+from rcj_challenges.web.views import desk, events, ladder, mentor, organize, practice, public, team
 
 handler404 = public.not_found
 urlpatterns = [
@@ -24,6 +24,9 @@ urlpatterns = [
     path("matches/<int:pk>/replay", ladder.match_replay, name="match_replay"),
     path("matches/<int:pk>/log/<str:robot>", ladder.match_log, name="match_log"),
     path("matches/<int:pk>/again", ladder.match_again, name="match_again"),
+    path("events", events.all_events, name="events"),
+    path("events/<int:pk>", events.event, name="event"),
+    path("events/<int:pk>/hashes.txt", events.hashes, name="event_hashes"),
     path("my", team.my, name="my"),
     path("my/upload", team.upload, name="upload"),
     path("my/submissions/<int:pk>", team.submission, name="submission"),
@@ -46,6 +49,9 @@ urlpatterns = [
     path("desk/matches/<int:pk>/void", desk.void_match, name="void_match"),
     path("desk/teams/<int:pk>/release", desk.release_name, name="release_name"),
     path("desk/season", desk.change_season, name="change_season"),
+    path("desk/events/new", organize.new_event, name="new_event"),
+    path("desk/events/<int:pk>", organize.desk_event, name="desk_event"),
+    path("desk/events/<int:pk>/change", organize.change_event, name="change_event"),
     path("desk/invite", desk.new_invite, name="new_invite"),
     path("desk/export", desk.export, name="export"),
     path("admin/login/", public.login),  # Django's own has no back-off

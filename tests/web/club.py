@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import dataclass
+from datetime import timedelta
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -48,6 +49,7 @@ class Club:
         submissions: of these teams: rejected, with a report and a replay.
         practice: a match of each of these teams against itself.
         rated: a match of own and foreign.
+        event: that is frozen, of both.
         codes: of their cards.
     """
 
@@ -56,6 +58,7 @@ class Club:
     submissions: dict[str, Any]
     practice: dict[str, Any]
     rated: Any
+    event: Any
     codes: dict[str, str]
 
 
@@ -126,6 +129,7 @@ def make_match(config: SiteConfig, blue: Any, yellow: Any, kind: str = "rated", 
 
 def make_club(config: SiteConfig) -> Club:
     """Make it on the site that this process works on."""
+    from rcj_challenges.web import deadlines, events, jobs
     from rcj_challenges.web.models import Account, Entry, Group, Role
 
     made = {name: make_team(f"Secret {name}", "School 2" if name == "foreign" else "School 1") for name in _TEAMS}
@@ -142,6 +146,10 @@ def make_club(config: SiteConfig) -> Club:
     for one in playing:
         Entry.objects.create(team=one.team, season=one.season, active=one)
     rated = make_match(config, *playing)
+    event = events.new_event(playing[0].season, title="Cup", deadline=NOW, choices=CHOICES, address="http://club/")
+    with jobs.writing():
+        deadlines.close(NOW + timedelta(seconds=1))
+    events.freeze(event, NOW + timedelta(hours=1))
     clients = {role: new_client() for role in ROLES}
     for role, owner in (("team", "own"), ("other team", "foreign")):
         assert clients[role].post("/enter", {"code": codes[owner]}).status_code == 302
@@ -152,7 +160,17 @@ def make_club(config: SiteConfig) -> Club:
         clients[role].force_login(Account.objects.create(name=role, role=kind, group=group, password="!"))  # noqa: S106
     gone = {"confirm": "Secret deleted", "reason": "1"}
     assert clients["mentor"].post(f"/group/teams/{teams['deleted'].pk}/delete", gone).status_code == 302
-    return Club(clients, teams, submissions, practice, rated, codes)
+    return Club(clients, teams, submissions, practice, rated, event, codes)
 
 
+CHOICES = {
+    "first": "groups",
+    "groups": 1,
+    "rounds": 2,
+    "finalists": 2,
+    "seeds": 1,
+    "premiere": "",
+    "minutes_between": 0,
+}
+"""Of the form of an event."""
 _TEAMS = ("own", "foreign", "deleted")

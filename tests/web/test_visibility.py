@@ -34,6 +34,12 @@ TABLE: dict[str, tuple[str, str, set[str]]] = {
     "match_replay": ("GET", "practice", READERS),
     "match_log": ("GET", "practice", READERS),
     "match_again": ("POST", "practice", READERS),
+    "events": ("GET", "", ALL),
+    "event": ("GET", "event", ALL),
+    "event_hashes": ("GET", "event", ALL),
+    "new_event": ("GET", "", ORGANIZER),
+    "desk_event": ("GET", "event", ORGANIZER),
+    "change_event": ("POST", "event", ORGANIZER),
     "void_match": ("POST", "match", ORGANIZER),
     "my": ("GET", "", TEAMS),
     "upload": ("POST", "", TEAMS),
@@ -96,7 +102,8 @@ def answered(club: Club, role: str, name: str, owner: str) -> tuple[bool, Any]:
     """Return whether an address lets a role pass, and the answer."""
     method, kind, _ = TABLE[name]
     one = {"submission": club.submissions, "team": club.teams, "practice": club.practice}.get(kind)
-    pk = one[owner].pk if one is not None else club.rated.pk if kind == "match" else 1
+    others = {"match": club.rated, "event": club.event}
+    pk = one[owner].pk if one is not None else others[kind].pk if kind in others else 1
     arguments = {"code": {"code": "AAAA"}, "": {}}.get(kind, {"pk": pk})
     if name == "replay":
         arguments["name"] = REPLAY

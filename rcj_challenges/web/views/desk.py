@@ -19,7 +19,7 @@ from rcj_challenges.web.accounts import Viewer, invite, write_audit
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
-from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Match, Role, Season, Team, Worker
+from rcj_challenges.web.models import Audit, Entry, Event, Group, Job, JobState, Match, Role, Season, Team, Worker
 from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.views.guards import only
 
@@ -29,13 +29,14 @@ def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
     """Show what needs a person: stuck jobs, names to release, dispatchers, the disk."""
     now = timezone.now()
     values: dict[str, Any] = {
-        "stuck": Job.objects.filter(state=JobState.STUCK).select_related("team", "match")[:50],
-        "running": Job.objects.filter(state=JobState.RUNNING).select_related("team", "match")[:50],
-        "waiting": jobs.waiting(now).select_related("team", "match")[:50],
+        "stuck": Job.objects.filter(state=JobState.STUCK).select_related("team", "match", "event")[:50],
+        "running": Job.objects.filter(state=JobState.RUNNING).select_related("team", "match", "event")[:50],
+        "waiting": jobs.waiting(now).select_related("team", "match", "event")[:50],
         "count": Job.objects.filter(state=JobState.QUEUED).count(),
         "workers": Worker.objects.filter(seen_at__gt=now - timedelta(days=1)).order_by("-seen_at"),
         "names": Team.objects.filter(is_name_public=False, deleted_at=None).select_related("group")[:100],
         "groups": Group.objects.order_by("label"),
+        "events": Event.objects.all()[:20],
         "audit": Audit.objects.order_by("-id")[:20],
         "has_room": Blobs(current_site().folder).has_room(),
         **_season_values(),

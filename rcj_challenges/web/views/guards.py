@@ -60,7 +60,7 @@ def seen_submission(request: HttpRequest, pk: int) -> tuple[Viewer, Submission]:
         Http404: there is none, or the viewer may not know that there is.
     """
     viewer = viewer_of(request)
-    found = Submission.objects.filter(pk=pk, is_deleted=False).select_related("team", "season").first()
+    found = Submission.objects.filter(pk=pk, is_deleted=False).select_related("team", "season", "late_for").first()
     if found is None or not viewer.may_see(found.team):
         raise Http404
     return viewer, found

@@ -74,7 +74,7 @@ def new_card(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
 def team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponse:
     """Show what a team of the group has handed in."""
     found = seen_team(viewer, pk)
-    mine = Submission.objects.filter(team=found, is_deleted=False)[:50]
+    mine = Submission.objects.filter(team=found, is_deleted=False).select_related("late_for")[:50]
     entry = Entry.objects.filter(team=found, season__is_current=True).first()
     return page(
         request, "team.html", viewer, team=found, submissions=mine, active_id=entry.active_id if entry else None

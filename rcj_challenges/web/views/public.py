@@ -19,7 +19,7 @@ from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import enter as sign_in_team
 from rcj_challenges.web.accounts import open_invite, signs_in, team_of_code
-from rcj_challenges.web.models import Account, Entry, Invite, Job, JobState, Role, Season, Worker
+from rcj_challenges.web.models import Account, Entry, Event, Invite, Job, JobState, Role, Season, Worker
 from rcj_challenges.web.pages import message_page, page
 
 
@@ -30,7 +30,15 @@ def home(request: HttpRequest) -> HttpResponse:
     entries = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None).select_related(
         "team", "team__group"
     )
-    return page(request, "home.html", season=season, entries=entries.order_by("team__pk"), now=timezone.now())
+    open_events = Event.objects.filter(played_at=None).order_by("deadline")
+    return page(
+        request,
+        "home.html",
+        season=season,
+        entries=entries.order_by("team__pk"),
+        events=open_events,
+        now=timezone.now(),
+    )
 
 
 @require_GET

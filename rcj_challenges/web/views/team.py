@@ -17,13 +17,13 @@ from django.utils import timezone
 from django.utils.translation import gettext
 from django.views.decorators.http import condition, require_GET, require_POST
 
-from rcj_challenges.web import jobs
+from rcj_challenges.web import deadlines, jobs
 from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.codes import NO_FILE
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
-from rcj_challenges.web.models import Entry, Job, JobState, Season, State, Submission
+from rcj_challenges.web.models import Entry, Event, Job, JobState, Season, State, Submission
 from rcj_challenges.web.pages import page
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
 from rcj_challenges.web.views.guards import only, plain, seen_submission
@@ -49,12 +49,13 @@ def my(request: HttpRequest, viewer: Viewer) -> HttpResponse:
 
 def _my_page(request: HttpRequest, viewer: Viewer, error: str = "", status: int = 200) -> HttpResponse:
     season = Season.objects.filter(is_current=True).first()
-    mine = Submission.objects.filter(team=viewer.team, season=season, is_deleted=False)
+    mine = Submission.objects.filter(team=viewer.team, season=season, is_deleted=False).select_related("late_for")
     entry = Entry.objects.filter(team=viewer.team, season=season).select_related("active").first()
     values: dict[str, Any] = {
         "season": season,
         "submissions": mine[:50],
         "active": entry.active if entry else None,
+        "events": Event.objects.filter(season=season, closed_at=None).order_by("deadline"),
         "error": error,
     }
     return page(request, "my.html", viewer, status, now=timezone.now(), max_bytes=current_site().upload_bytes, **values)
@@ -224,6 +225,7 @@ def activate(request: HttpRequest, pk: int) -> HttpResponseBase:
     if found.state != State.ACCEPTED:
         return plain("Only an accepted submission can play.", 409)
     with jobs.writing():
+        deadlines.close(timezone.now())
         last = Submission.objects.filter(team=found.team, season=found.season).aggregate(last=Max("number"))["last"]
         Entry.objects.update_or_create(
             team=found.team, season=found.season, defaults={"active": found, "chosen_over": last}

@@ -1,0 +1,179 @@
+"""Events: what plays in them is fixed after their deadlines, and each is a tournament in a folder of its own."""
+
+from __future__ import annotations
+
+import secrets
+import shutil
+from collections.abc import Mapping
+from datetime import datetime
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from rcj_challenges.records.folder import replaced
+from rcj_challenges.tournament.seeds import seed_hash
+from rcj_challenges.web import jobs, seasons
+from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.config import current_site
+from rcj_challenges.web.deadlines import close, has_all_receipts, in_time, pending
+from rcj_challenges.web.models import Event, Season, State, Submission, Team
+from rcj_challenges.web.tables import standings_of
+
+if TYPE_CHECKING:
+    from rcj_challenges.tournament.load import LoadedTournament
+
+FILE, DATA, HASHES = "tournament.yaml", "tournament_data", "hashes.txt"
+_SEED_BYTES = 16
+_POTS, _MOST_POTS = 8, 64
+"""Of a stage without groups, in each of which the order is drawn; and the most that a tournament file takes."""
+
+
+def event_folder(event: Event) -> Path:
+    """Return the folder of an event: all commands for tournaments work in it."""
+    return current_site().folder / "events" / str(event.pk)
+
+
+def has_begun(event: Event) -> bool:
+    """Return whether its tournament has been drawn: then its form is not changed any more."""
+    return (event_folder(event) / DATA).exists()
+
+
+def new_event(season: Season, **fields: Any) -> Event:
+    """Make an event, with a seed whose hash is shown from now on."""
+    seed = secrets.token_hex(_SEED_BYTES)
+    return Event.objects.create(season=season, seed=seed, seed_hash=seed_hash(seed), **fields)
+
+
+# --- the freeze -------------------------------------------------------------------------------------------------------
+
+
+def freeze(event: Event, now: datetime, *, waits: bool = True) -> None:
+    """Fix what plays in an event, once all that was in time has been received and checked.
+
+    Args:
+        event: whose deadline has passed.
+        now: the time.
+        waits: False: what has no verdict yet does not play.
+    """
+    with jobs.writing():
+        event = Event.objects.select_for_update().get(pk=event.pk)
+        if event.closed_at is None or event.frozen_at is not None or not has_all_receipts(event, now):
+            return
+        if waits and pending(event).exists():
+            return
+        event.frozen, event.frozen_at = _chosen(event), now
+        event.save(update_fields=("frozen", "frozen_at"))
+    write(event)
+
+
+def _chosen(event: Event) -> list[tuple[int, str, int]]:
+    """Return what plays: what was active at the deadline, or a newer submission in time that was accepted since."""
+    basis = seasons.shown_basis(event.season)
+    table = [] if basis is None else standings_of(basis).published.table
+    places = {row.digest: place for place, row in enumerate((row for row in table if row.rank is not None), 1)}
+    accepted = in_time(event).filter(state=State.ACCEPTED).defer("report").order_by("team", "number")
+    found = []
+    for team, some in groupby(accepted, lambda one: one.team_id):
+        own = list(some)
+        active, over = event.chosen.get(str(team), (None, 0))
+        before = next((one for one in own if one.pk == active), None)
+        newer = [one for one in own if one.number > over and (before is None or _order(one) > _order(before))]
+        one = max(newer, key=_order, default=before or own[-1])
+        found.append((team, one.sha256, places.get(one.digest, 0)))
+    return found
+
+
+def _order(one: Submission) -> tuple[bool, int]:
+    return not one.is_late, one.number
+
+
+def attend(now: datetime) -> None:
+    """Do what is due in all events: dispatchers call it every few seconds."""
+    if Event.objects.filter(closed_at=None, deadline__lt=now).exists():
+        with jobs.writing():
+            close(now)
+    for event in Event.objects.filter(closed_at__isnull=False, frozen_at=None):
+        freeze(event, now)
+    for event in Event.objects.filter(frozen_at__isnull=False).select_related("season"):
+        if not (event_folder(event) / HASHES).exists():  # a process was killed before it wrote them
+            write(event)
+
+
+# --- the folder -------------------------------------------------------------------------------------------------------
+
+
+def write(event: Event) -> None:
+    """Write the folder of an event: its submissions, their hashes, and the tournament file with the names of now."""
+    folder, blobs = event_folder(event), Blobs(current_site().folder)
+    (folder / "frozen").mkdir(parents=True, exist_ok=True)
+    for team, sha256, _ in event.frozen:
+        path = folder / _archive(team)
+        if not path.exists() and blobs.path(sha256).exists():
+            with blobs.path(sha256).open("rb") as source, replaced(path) as target:
+                shutil.copyfileobj(source, target)
+    with replaced(folder / FILE) as file:
+        file.write(yaml.safe_dump(_tournament(event), allow_unicode=True, sort_keys=False).encode())
+    with replaced(folder / HASHES) as file:
+        file.write("".join(f"{sha256}  {_archive(team)}\n" for team, sha256, _ in event.frozen).encode())
+
+
+def _archive(team: int) -> str:
+    return f"frozen/team{team}.zip"
+
+
+def loaded(event: Event) -> LoadedTournament:
+    """Return the tournament of an event.
+
+    Raises:
+        TournamentFileError: its formats do not fit its teams.
+    """
+    from rcj_challenges.tournament.load import load_tournament  # noqa: PLC0415 - loads the code of scenarios
+
+    return load_tournament(event_folder(event) / FILE)
+
+
+def _tournament(event: Event) -> dict[str, Any]:
+    """Return the content of the tournament file."""
+    choices, season, path = event.choices, event.season, Path(event.season.scenario)
+    scenario = str(path.resolve()) if path.is_file() else season.scenario
+    names = {team.pk: team.public_name for team in Team.objects.filter(pk__in=[team for team, *_ in event.frozen])}
+    ranked = sum(place > 0 for *_, place in event.frozen)
+    size = max(choices["groups"], -(-ranked // _MOST_POTS)) if choices["first"] == "groups" else -(-ranked // _POTS)
+    return {
+        "tournament_version": 1,
+        "title": event.title,
+        "seed": event.seed,
+        "time_zone": current_site().time_zone,
+        "scenario": scenario,
+        "set": {path: yaml.safe_load(value) for path, _, value in (one.partition("=") for one in season.overrides)},
+        "teams_folder": "frozen",
+        "teams": {
+            f"team{team}": {"name": names[team], **({"pot": -(-place // size)} if place else {})}
+            for team, _, place in sorted(event.frozen, key=lambda one: (one[2] == 0, one[2], one[0]))
+        },
+        "tie_breaks": ["points", "goal_difference", "goals", "head_to_head", "lot"],
+        "drawn": {"extra_time": {}},
+        "stages": _stages(choices, scenario),
+    }
+
+
+def _stages(choices: Mapping[str, Any], scenario: str) -> dict[str, Any]:
+    first, stages = choices["first"], dict[str, Any]()
+    if first == "groups":
+        stages["groups"] = {"stage": "round_robin", "groups": choices["groups"], "title": "Groups"}
+    elif first == "swiss":
+        stages["swiss"] = {"stage": "swiss", "rounds": choices["rounds"], "title": "Swiss stage"}
+    elif first == "challenge":
+        one = {"challenge": {"scenario": scenario}}
+        stages["challenge"] = {"stage": "challenge", "scenarios": one, "seeds": choices["seeds"], "title": "Challenge"}
+    if first == "knock_out":
+        stages["finals"] = {"stage": "knock_out", "title": "Finals"}
+    elif choices["finalists"] and stages and first != "challenge":
+        places = f"1-{choices['finalists']}"
+        stages["finals"] = {"stage": "knock_out", "from": first, "places": places, "title": "Finals"}
+    if choices["premiere"]:
+        last = stages[list(stages)[-1]]
+        last |= {"release": choices["premiere"], "minutes_between": choices["minutes_between"]}
+    return stages
