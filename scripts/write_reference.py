@@ -77,7 +77,8 @@ Lengths are in metres, times in seconds and angles in radians. The origin is the
 short side and y along its long side; blue defends the goal at +y. Field names carry their unit: `_m`, `_s`, `_rad`,
 `_mps`. Durations are rounded up to ticks of 0.032 s. A field marked *required* has no default. Any single value may be
 `{{param: NAME}}`; a number may also be `{{param: NAME, times: -1, plus: 0.02}}`: the param multiplied by `times`, plus
-`plus` (either can be omitted). Named things are entries of mappings, with their names as keys: {NAME_RULE}.
+`plus` (either can be omitted). Named things are entries of mappings, with their names as keys:
+{NAME_RULE}.
 
 With these lines above it, each example is a complete scenario; all of them run as tests:
 

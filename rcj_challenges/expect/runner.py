@@ -74,9 +74,13 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
         at = max(1, ticks_from_s(keyframe.at_s))
         # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
         _play_until(match, min(before, at - 1))
+        away = {entity: to for entity, to in keyframe.move.items() if match.is_off(entity)}
         for entity, to in keyframe.move.items():
-            match.glide(entity, to, at - match.tick)
+            if entity not in away:
+                match.glide(entity, to, at - match.tick)
         _play_until(match, at - 1)
+        for entity, to in (keyframe.place | away).items():
+            match.place(entity, *to)
         _act(match, keyframe)
         before = at
     _play_until(match, last)
@@ -232,8 +236,6 @@ def _play_until(match: ScriptedMatch, tick: int) -> None:
 
 
 def _act(match: ScriptedMatch, keyframe: Keyframe) -> None:
-    for entity, pose in keyframe.place.items():
-        match.place(entity, *pose)
     for first, second in keyframe.touch:
         match.touch(first, second, 1 if keyframe.touch_lasts_s is None else ticks_from_s(keyframe.touch_lasts_s))
     for robot in keyframe.tips:
@@ -286,7 +288,12 @@ def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]
 
 
 def _pose_differences(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
+    for name in match.roster.expand(expected.off or ()):
+        yield from difference(f"{name} off the field", True, match.is_off(name))
     for name, (x, y) in expected.poses.items():
+        if match.is_off(name):
+            yield f"{name}: expected at ({x:g}, {y:g}), is off the field"
+            continue
         here = match.referee.spots.get(name) or match.pose(name)
         off = hypot(here[0] - x, here[1] - y)
         if off > expected.tolerance_m:

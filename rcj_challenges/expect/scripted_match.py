@@ -93,12 +93,23 @@ class ScriptedMatch:
     # --- what the script does ---------------------------------------------------------------------------------------
 
     def place(self, entity: str, x_m: float, y_m: float, yaw_rad: float | None = None) -> None:
-        """Put an entity somewhere by hand, upright; the next snapshot shows it there."""
+        """Put an entity somewhere by hand, upright; the next snapshot shows it there.
+
+        What is off the field comes back, as if a rule had placed it.
+        """
         index = self.roster.index[entity]
         self._by_hand.add(index)
         self._glides.pop(index, None)
         self._uprights[index] = 1.0
         self._stand(index, x_m, y_m, self._poses[index][2] if yaw_rad is None else yaw_rad)
+        if index in self._parked:
+            self._parked.discard(index)
+            self.referee.bring_back(index, self._poses[index])
+            self._judged = self._poses
+
+    def is_off(self, name: str) -> bool:
+        """Return whether an entity is off the field."""
+        return self.roster.index.get(name) in self._parked
 
     def glide(self, entity: str, to: tuple[float, ...], ticks: int) -> None:
         """Let an entity glide to [x, y] or [x, y, yaw] in a straight line, to arrive after so many ticks."""

@@ -12,7 +12,7 @@ from typing import Any
 
 from rcj_challenges.core.changes import Change, ChangeTracker
 from rcj_challenges.core.messages import number_in
-from rcj_challenges.core.play import Event, Fault, HalfInfo, Placement, RefereeOutput, Snapshot
+from rcj_challenges.core.play import Event, Fault, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.core.play import Firing as FiringRecord
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.assembling import assemble
@@ -20,7 +20,7 @@ from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.firing_order import Rounds
 from rcj_challenges.referee.log_sentences import no_room_sentence
-from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_placement
+from rcj_challenges.referee.placement import AT_REST, PlacementJob, apply_placements, carry_out, compile_placement
 from rcj_challenges.referee.ranking import ranked_counters
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Places
@@ -255,6 +255,12 @@ class Referee:
             self._rounds.fire()
             placements += self._carry_out()
 
+    def bring_back(self, entity: int, pose: Pose2) -> None:
+        """Put what is off the field back on it, between two ticks; only tests do."""
+        self._queue.forget(entity)
+        apply_placements([(entity, pose, AT_REST)], self._state)
+        self._note_moved({entity})
+
     # --- events of this tick ------------------------------------------------------------------------------------------
 
     def _without_parked(self, judged: list[tuple[float, float, float]]) -> list[tuple[float, float, float]]:
@@ -346,10 +352,13 @@ class Referee:
                 self._queue.ask_later(job.instead_of)
         moved = {placement.entity for placement in placements}
         if moved:
-            self._all_present = all(state.present)
-            self._contacts.forget(moved)
-            self._trackers.on_placed(moved)
+            self._note_moved(moved)
         return tuple(placements)
+
+    def _note_moved(self, moved: set[int]) -> None:
+        self._all_present = all(self._state.present)
+        self._contacts.forget(moved)
+        self._trackers.on_placed(moved)
 
     def _log_no_room(self, job: PlacementJob) -> None:
         """Log once that a placement found no room."""

@@ -25,7 +25,7 @@ Velocity = tuple[float, float]
 """Of x and y, in m/s."""
 
 _ALL_ATTEMPTS = sys.maxsize
-_AT_REST: Velocity = (0.0, 0.0)
+AT_REST: Velocity = (0.0, 0.0)
 
 ATTEMPTS_WAITING = 4
 """How often a random place is drawn on each further tick, once all attempts of the first were in vain: a good
@@ -101,7 +101,7 @@ class PlacementSpec:
     def velocity(self, board: PlacementBoard, state: State, signs: Point) -> Velocity | None:
         """Return with which velocity it leaves the place where the board has it; None if it finds nothing to aim at."""
         if self.kick is None:
-            return _AT_REST
+            return AT_REST
         # A separate stream: with or without a kick, random places are the same.
         request = replace(self.request(board, state.stream(f"{self.stream}/kick"), signs), fits=lambda _point: True)
         aim = self.kick.towards.find(request)
@@ -109,13 +109,13 @@ class PlacementSpec:
             return None
         least, most = self.kick.speeds_mps()
         if most <= 0:
-            return _AT_REST
+            return AT_REST
         speed = least if least == most else request.rng.uniform(least, most)
         # Places are float32 numbers: put where it is aimed at, it has no way to go.
         x, y, _ = board.poses[self.entity]
         dx, dy = float32(aim[0]) - x, float32(aim[1]) - y
         far = sqrt(dx * dx + dy * dy)
-        return (float32(speed * dx / far), float32(speed * dy / far)) if far else _AT_REST
+        return (float32(speed * dx / far), float32(speed * dy / far)) if far else AT_REST
 
     def pose_at(self, board: PlacementBoard, point: Point, rng: random.Random) -> Pose2:
         """Return the pose that the entity has at a point."""
@@ -191,6 +191,10 @@ class PlacementQueue:
         """Note a placement for a later tick; any placement of that entity asked for after this one replaces it."""
         self._waiting[job.entity] = job
 
+    def forget(self, entity: int) -> None:
+        """Forget what waits for an entity."""
+        self._waiting.pop(entity, None)
+
     def concerns(self, entity: int) -> bool:
         """Return whether something is asked for the entity."""
         return entity in self._asked or entity in self._waiting
@@ -223,7 +227,7 @@ def carry_out(jobs: list[PlacementJob], state: State, bodies: Bodies) -> tuple[l
         tried = [job for job in jobs if job.entity not in without]
         done, without_room = _try(tried, state, bodies)
         if without_room is None:
-            return _apply(done, state), failed
+            return apply_placements(done, state), failed
         failed.append(without_room)
 
 
@@ -236,7 +240,7 @@ def _try(jobs: list[PlacementJob], state: State, bodies: Bodies) -> tuple[list[_
     done: list[_Done] = []
     for job in jobs:
         if job.spec is None:
-            done.append((job.entity, None, _AT_REST))
+            done.append((job.entity, None, AT_REST))
             continue
         pose = job.spec.propose(board, state.stream(job.spec.stream), job.signs, job.max_attempts)
         if pose is None:
@@ -265,7 +269,8 @@ def _turned(done: list[_Done], jobs: list[PlacementJob], board: PlacementBoard, 
     return turned
 
 
-def _apply(done: list[_Done], state: State) -> list[Placement]:
+def apply_placements(done: list[_Done], state: State) -> list[Placement]:
+    """Update the state, and return what the world has to do."""
     poses, uprights = list(state.poses), list(state.uprights)
     placements = []
     for entity, pose, (vx_mps, vy_mps) in done:

@@ -195,7 +195,7 @@ rules:
     @pytest.mark.parametrize(
         "rule",
         [
-            "triggers: [{trigger: half_started}], actions: [{action: remove, entity: ball}]",
+            "triggers: [{trigger: time_reached, at_s: 0.16}], actions: [{action: remove, entity: ball}]",
             "triggers: [{trigger: time_reached, at_s: 0.16}], actions: [{action: place, entity: ball, at: {point: [-0.3, 0.3]}}]",
         ],
     )

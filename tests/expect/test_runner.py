@@ -123,6 +123,56 @@ class TestComparison:
         ]
 
 
+class TestOffTheField:
+    """Y1 is taken off by a touch, for 1 s or for good, and Y2 counts what enters the zone left."""
+
+    RULES = """
+zones: {far: {shape: rect, y_min_m: 0.3}}
+counters: {entered: {}, near: {}}
+rules:
+  out: {triggers: [{trigger: touches, entity: Y1, other: ball}], actions: [{action: remove, entity: Y1, for_s: %s}]}
+  enters: {triggers: [{trigger: enters, entity: Y1, zone: far}], actions: [{action: count, counter: entered}]}
+  near:
+    triggers: [{trigger: holds, conditions: [{distance: [Y1, Y2], at_most: 0.2}], for_s: 0.1}]
+    actions: [{action: count, counter: near}]
+"""
+    OUT = "lasts_s: 2, keyframes: [{at_s: 0.32, touch: [[Y1, ball]]}%s], "
+
+    @pytest.fixture
+    def run(self, differences):
+        return lambda block, frames="", for_s=30: differences(self.OUT % frames + block, self.RULES % for_s)
+
+    def test_what_is_off_is_listed_and_stands_nowhere(self, run):
+        assert run("'off': [Y1]") == []
+        assert run("'off': yellow, poses: {Y1: [-0.4, -0.5]}") == [
+            "Y2 off the field: expected true, is false",
+            "Y1: expected at (-0.4, -0.5), is off the field",
+        ]
+
+    @pytest.mark.parametrize("how", ["place", "move"])
+    def test_keyframe_brings_it_back(self, run, how):
+        frames = (
+            f", {{at_s: 0.64}}, {{at_s: 1.28, {how}: {{Y1: [0.4, 0.4]}}}}, {{at_s: 1.6, place: {{Y2: [0.4, 0.3]}}}}"
+        )
+        assert run("poses: {Y1: [0.4, 0.4]}, counters: {near: 1, entered: 0}", frames) == []
+        assert run("'off': [Y1]", frames) == ["Y1 off the field: expected true, is false"]
+
+    def test_it_enters_zones_and_is_removed_as_before(self, run):
+        back = ", {at_s: 0.64, place: {Y1: [0.4, 0]}}, {at_s: 0.96, place: {Y1: [0.4, 0.4]}}"
+        assert run("counters: {entered: 1}", back) == []
+        assert run("'off': [Y1]", back + ", {at_s: 1.28, touch: [[Y1, ball]]}") == []
+
+    def test_it_does_not_come_back_a_second_time(self, run):
+        assert run("poses: {Y1: [0.4, 0]}", ", {at_s: 0.64, place: {Y1: [0.4, 0]}}", for_s=1) == []
+
+    def test_what_a_rule_removes_on_its_way_stays_off(self, differences):
+        way = "lasts_s: 2, keyframes: [{at_s: 0.32}, {at_s: 0.64, touch: [[Y1, ball]], move: {Y1: [0.4, 0]}}], 'off': [Y1]"
+        assert differences(way, self.RULES % 30) == []
+        late = "lasts_s: 2, keyframes: [{at_s: 0.3}, {at_s: 1.6, move: {Y1: [0, 0.5]}}], 'off': [Y1]"
+        crossed = "rules: {line: {triggers: [{trigger: enters, entity: Y1, zone: far}], actions: [{action: remove, entity: Y1}]}}"
+        assert differences(late, self.RULES % 30, crossed) == []
+
+
 class TestGiven:
     def test_score_counters_and_flags_are_set_before_the_half(self, run):
         given = "given: {score: {yellow: 3}, counters: {goals: 7}, flags: {up: true}}, "

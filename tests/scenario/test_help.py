@@ -54,6 +54,7 @@ HELP = [
     ("params: {winner: blue}\n" + rule(action="{action: score, entrant: winner}"), "{param: winner}"),
     ("params: {n: 2}\nmatch: {half_s: {param: n * 2}}\n", "{param: n, times: 2, plus: 1}"),
     ("robots: {Y1: {devices: {gps: null}}}\n", "'without: [gps]'"),
+    ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0}], poses: {Y1: null}}}\n", "off: [Y1]"),
     ("robots: {B3: }\n", "'B3: null' takes away what the base has"),
 ]
 

@@ -47,6 +47,10 @@ expect:
       - {at_s: 1, touch: [[Y1, walls]]}
     lasts_s: 4
     poses: {Y1: [0, -0.2]}
+  before_that_it_is_off_the_field:
+    keyframes: [{at_s: 1, touch: [[Y1, walls]]}]
+    lasts_s: 2
+    off: [Y1]
 """
     SENTENCE = "Y1 is taken off the field and after 2 s put on the spot “middle yellow”"
 

@@ -7,7 +7,7 @@ from pydantic import Field
 from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.effects import Effect, Moment
-from rcj_challenges.rules.fields import DurationS, EventName, Name, Point, Scalar, Strict, described
+from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.message import Said
 from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
@@ -180,7 +180,8 @@ class Keyframe(Strict):
     ] = described(
         {},
         "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it may enter zones and cross "
-        "gates, but it has no speed in that tick, and conditions about speed fail",
+        "gates, but it has no speed in that tick, and conditions about speed fail; from off the field it "
+        "comes back, as if a rule had placed it",
     )
     move: Annotated[
         dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
@@ -188,7 +189,8 @@ class Keyframe(Strict):
     ] = described(
         {},
         "entity -> [x, y] or [x, y, yaw]: it moves there in a straight line from its position at the previous "
-        "keyframe; if a rule places it meanwhile, it stays where the rule put it",
+        "keyframe (from off the field: it comes back there); if a rule places or removes it meanwhile, it stays "
+        "where the rule put it",
     )
     touch: Annotated[
         tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...],
@@ -310,7 +312,10 @@ class Expectation(Strict):
     poses: Annotated[
         dict[Name, Annotated[tuple[float, float], Field(strict=False)]],
         Ref("entity or spot", MOVING | frozenset({"spot"}), keys=True),
-    ] = described({}, "entity or spot -> [x, y] at the end in m")
+    ] = described({}, "entity or spot -> [x, y] at the end in m; what is off the field is at no place")
+    off: Annotated[Names | None, Ref("entity", MOVING, groups=True)] = described(
+        None, "entities or groups that are off the field at the end"
+    )
     tolerance_m: float = described(0.001, "largest permitted deviation of a pose in m", ge=0)
     tolerance_counters: float | None = described(
         None, "largest permitted deviation of a counter, such as one that stores a time; if omitted: none", ge=0

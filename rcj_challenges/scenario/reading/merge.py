@@ -139,6 +139,8 @@ class Merger:
             help_ = choice_of(key, base.entries) if base.entries else "leave the line out"
             if path[:1] == ("robots",) and path[2:] == ("devices",):
                 help_ = f"a device of the robot's kit is taken away by 'without: [{key}]'"
+            if path[-1:] == ("poses",):
+                help_ = f"that something is off the field is expected by 'off: [{key}]'"
             help_ = (of_repeated(key, base) if path == ("rules",) else "") or help_
             self._add(WRONG_NULL, node.mark, here, f"nothing to remove: the base has no '{key}'", help_)
         else:
