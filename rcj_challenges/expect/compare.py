@@ -103,7 +103,7 @@ def _differences_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Seq
     elif event is None:
         wanted = expected[index]
         when = "" if wanted.at_s is None else f" at {wanted.at_s:g} s"
-        yield f"missing: {wanted.event}{when}{_payload(wanted.payload)}, event {index + 1} of the test"
+        yield f"missing: {wanted.what}{when}{_payload(wanted.payload)}, event {index + 1} of the test"
     else:
         yield from (f"differs: {line}" for line in _within(event, index + 1, expected[index]))
 
@@ -115,7 +115,7 @@ def _elsewhere(pairs: Sequence[_Pair], expected: Sequence[ExpectedEvent]) -> dic
     for place, (event, index) in enumerate(pairs):
         if event is None or index is not None:
             continue
-        fitting = (lack for lack in lacks if expected[lack[1]].event == event.name)
+        fitting = (lack for lack in lacks if expected[lack[1]].what == event.name)
         found = next((lack for lack in fitting if not any(_within(event, 0, expected[lack[1]]))), None)
         if found is not None:
             moved[place] = found[0]
@@ -185,12 +185,12 @@ def _beside(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> list[_
     for i in reversed(range(len(found))):
         for j in reversed(range(len(expected))):
             together = _similarity(found[i], expected[j]) + best[i + 1][j + 1]
-            best[i][j] = max(best[i + 1][j], best[i][j + 1], together if found[i].name == expected[j].event else 0)
+            best[i][j] = max(best[i + 1][j], best[i][j + 1], together if found[i].name == expected[j].what else 0)
     pairs: list[_Pair] = []
     i = j = 0
     while i < len(found) and j < len(expected):
         together = _similarity(found[i], expected[j]) + best[i + 1][j + 1]
-        if found[i].name == expected[j].event and together == best[i][j]:
+        if found[i].name == expected[j].what and together == best[i][j]:
             pairs.append((found[i], j))
             i, j = i + 1, j + 1
         elif best[i + 1][j] == best[i][j]:
@@ -208,7 +208,7 @@ def _is_flood(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> bool
 
 def _by_position(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> Iterable[_Pair]:
     for index, event in enumerate(found):
-        if index < len(expected) and event.name == expected[index].event:
+        if index < len(expected) and event.name == expected[index].what:
             yield event, index
         else:
             yield event, None

@@ -1,4 +1,4 @@
-"""Notes on rules that were triggered in a test but did not fire because a condition did not hold."""
+"""Notes on rules that did not fire in a test because of a condition: it did not hold, or it held all the time."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import yaml
 
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import effects
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.rules.base import Condition, Trigger
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import EACH, OTHER
 from rcj_challenges.tracking.bound_rules import Denied
 
@@ -20,7 +20,8 @@ class Wanted(NamedTuple):
     """What differs from the expectations of a test.
 
     Attributes:
-        missing: the events that did not come, with the time in s at which they were expected, if at any.
+        missing: the events and firings (``rule NAME``) that did not come, with the time in s at which they were
+            expected, if at any.
         over: whether nothing, or the half only, is over that should be.
         held: whether a robot is held that should not be, or the other way round.
     """
@@ -35,6 +36,7 @@ class Wanted(NamedTuple):
 
 _MAX_NOTES = 3
 """At most so many rules are noted for a failed test."""
+_OPPOSITE = {"below": "at_least", "above": "at_most"}
 _YET = " yet: a rule made it true in that tick, which other rules see one tick later, like an emitted event"
 
 
@@ -48,16 +50,51 @@ def denied_condition_notes(
     noted = 0
     for name, ticks in denied.items():
         rule = scenario.rules[name]
-        does = [one for one in rule.all_effects() if _changes(one, wanted)]
-        if not does or name in fired or noted == _MAX_NOTES:
+        if not _gives(name, rule, wanted) or name in fired or noted == _MAX_NOTES:
             continue
         noted += 1
-        emitted = (wanted.missing[one.event] for one in does if isinstance(one, effects.Emits))
-        tick = _nearest(ticks, next(emitted, None))
+        names = (f"rule {name}", *(one.event for one in rule.effects(effects.Emits)))
+        tick = _nearest(ticks, next((wanted.missing[one] for one in names if one in wanted.missing), None))
         condition, held_after = ticks[tick]
         which = _as_written(rule.conditions[condition])
         yet = _YET if held_after else ""
         yield f"note: {name} was triggered at {s_from_ticks(tick):g} s, and {which} did not hold{yet}"
+
+
+def already_true_notes(
+    ticks: Mapping[str, int], scenario: Scenario, wanted: Wanted, fired: Container[str]
+) -> Iterable[str]:
+    """Return notes on rules that waited for a condition to come true that held already at a tick, by rule.
+
+    A rule beside which another one waits for the opposite is meant for changes.
+    """
+    triggers = {name: [_watched(one) for one in rule.triggers] for name, rule in scenario.rules.items()}
+    watched = {one for listed in triggers.values() for one in listed}
+    for name, tick in ticks.items():
+        is_for_changes = any((what, not is_so) in watched for what, is_so in triggers[name] if what)
+        if _gives(name, scenario.rules[name], wanted) and name not in fired and not is_for_changes:
+            yield (
+                f"note: {name} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
+                "with for_s: 0.05 that counts too"
+            )
+
+
+def _watched(trigger: Trigger) -> tuple[str, bool]:
+    """Return the one condition that a trigger waits for, without its negation, and whether it waits for it to hold."""
+    conditions: tuple[Condition, ...] = getattr(trigger, "conditions", ())
+    if len(conditions) != 1:
+        return "", True
+    data = conditions[0].model_dump(mode="json", by_alias=True, exclude_unset=True)
+    is_so = not data.pop("negate", False)
+    bounds = data.keys() & {"at_least", "at_most", *_OPPOSITE}
+    if len(bounds) == 1 and (opposite := _OPPOSITE.get(next(iter(bounds)))):
+        data[opposite], is_so = data.pop(next(iter(bounds))), not is_so
+    return repr(sorted(data.items())), is_so
+
+
+def _gives(name: str, rule: Rule, wanted: Wanted) -> bool:
+    """Return whether a rule that fires gives something of what differs from the expectations."""
+    return f"rule {name}" in wanted.missing or any(_changes(one, wanted) for one in rule.all_effects())
 
 
 def _as_written(condition: Condition) -> str:

@@ -24,14 +24,16 @@ def placed_inside_notes(
     Placements are given with their ticks, and the rules that have fired are left out.
     """
     for name, rule in scenario.rules.items():
-        if name in fired or not any(one.event in missing for one in rule.effects(Emits)):
+        names = (f"rule {name}", *(one.event for one in rule.effects(Emits)))
+        if name in fired or not any(one in missing for one in names):
             continue
         found = next(_inside(placements, rule, scenario, roster), None)
         if found is not None:
             tick, entity, zone = found
             yield (
                 f"note: a rule put {entity} into {zone} at {s_from_ticks(tick):g} s, which does not trigger "
-                f"{name}: a placed thing has not entered the zone; use 'holds' with in_zone and for_s: 0.05"
+                f"{name}: a placed thing has not entered the zone; use 'holds' with {{entity: {entity}, in: {zone}}} "
+                "and for_s: 0.05"
             )
 
 

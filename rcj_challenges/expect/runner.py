@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Container, Iterable, Mapping
+import re
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import islice
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.core.amounts import counted, number_words, round_score, times
+from rcj_challenges.core.play import Event
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
-from rcj_challenges.expect.denied import Wanted, denied_condition_notes
+from rcj_challenges.expect.denied import Wanted, already_true_notes, denied_condition_notes
 from rcj_challenges.expect.placed_inside import placed_inside_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
-from rcj_challenges.rules.effects import Ends
+from rcj_challenges.rules.effects import Emits, Ends
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import places_of, series_of
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
@@ -28,6 +31,7 @@ if TYPE_CHECKING:
 
 MAX_PHASES = 5
 """At most so many changes of phases are noted for a failed test."""
+_MISSING = re.compile(r"missing: ((rule )?\w+)")
 
 
 @dataclass(frozen=True)
@@ -94,7 +98,7 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
             *_no_room(match),
             *_not_drawn(match, expected),
             *match.wrong_ways.notes(),
-            *_already_true(match, fired),
+            *already_true_notes(match.referee.already_true, scenario, wanted, fired),
             *placed_inside_notes(match.placements, scenario, loaded.roster, wanted.missing, fired),
             *denied_condition_notes(match.referee.denied or {}, scenario, wanted, fired),
             *_early_end_notes(match, scenario, expected, wanted),
@@ -118,16 +122,6 @@ def _no_room(match: ScriptedMatch) -> Iterable[str]:
     first = {(f.rule, f.says): f for f in reversed(match.firings) if f.suppressed == "no_room"}
     for firing in sorted(first.values(), key=lambda firing: firing.tick):
         yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
-
-
-def _already_true(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
-    """Return notes on rules that waited for a condition to come true that held from the beginning."""
-    for rule, tick in match.referee.already_true.items():
-        if rule not in fired:
-            yield (
-                f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
-                "with for_s: 0.05 that counts too"
-            )
 
 
 def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expectation) -> Wanted:
@@ -161,9 +155,9 @@ def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expecta
 
 
 def _missing(differences: Iterable[str], expected: Expectation) -> dict[str, float | None]:
-    """Return the events that did not come, each with the time in s at which it was expected, if at any."""
-    names = {words[1].rstrip(",") for one in differences if (words := one.split())[0] == "missing:"}
-    return {event.event: event.at_s for event in reversed(expected.events or ()) if event.event in names}
+    """Return the events and firings that did not come, each with the time in s at which it was expected, if at any."""
+    names = {found[1] for one in differences if (found := _MISSING.match(one))}
+    return {event.what: event.at_s for event in reversed(expected.events or ()) if event.what in names}
 
 
 def _scores(match: ScriptedMatch, expected: Expectation) -> set[str]:
@@ -249,9 +243,9 @@ def _act(match: ScriptedMatch, keyframe: Keyframe) -> None:
 def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation) -> Iterable[str]:
     referee = match.referee
     if expected.events is not None:
-        wanted = {event.event for event in expected.events}
+        wanted = {event.what for event in expected.events}
         ignored = set(expected.ignore) - wanted
-        found = [event for event in match.events if event.name not in ignored]
+        found = [event for event in _happened(match, scenario, wanted) if event.name not in ignored]
         yield from event_differences(found, expected.events, expected.ignore)
     for entrant, score in expected.score.items():
         yield from difference(f"score of {entrant}", score, referee.scores.get(entrant))
@@ -270,6 +264,18 @@ def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation
             for key, value in fields.items():
                 received = match.received.get(robot, {}).get(key)
                 yield from sent_difference(f"{key} told to {robot}", value, received, expected.tolerance_m)
+
+
+def _happened(match: ScriptedMatch, scenario: Scenario, wanted: Container[str]) -> Iterator[Event]:
+    """Yield the events in order, and where a rule of which firings are expected fired, this as an event."""
+    events = iter(match.events)
+    for firing in match.firings:
+        if firing.suppressed is None:
+            about = {"entity": firing.entity, "place": firing.place, "other": firing.other}
+            fired = Event(firing.tick, f"rule {firing.rule}", {key: name for key, name in about.items() if name})
+            if fired.name in wanted:
+                yield fired
+            yield from islice(events, len(scenario.rules[firing.rule].effects(Emits)))
 
 
 def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]:

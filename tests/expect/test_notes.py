@@ -130,6 +130,28 @@ class TestHoldsThatWasTrueBefore:
         )
         assert "held already at 0.32 s" in note
 
+    def test_rule_that_would_not_give_what_is_missing_is_not_noted(self, notes):
+        assert notes(self.STANDS + "score: {yellow: 1}", rules(there=self.THERE % ("", emit("A")))) == []
+
+    @pytest.mark.parametrize(
+        ("condition", "opposite"),
+        [
+            (
+                "{condition: in_zone, entity: Y1, zone: left}",
+                "{condition: in_zone, entity: Y1, zone: left, negate: true}",
+            ),
+            ("{condition: counter, counter: goals, below: 3}", "{condition: counter, counter: goals, at_least: 3}"),
+            ("{condition: counter, counter: goals, at_most: 3}", "{condition: counter, counter: goals, above: 3}"),
+        ],
+    )
+    def test_rule_whose_opposite_is_also_a_rule_waits_for_a_change(self, notes, condition, opposite):
+        block = self.STANDS + "events: [{event: A}]"
+        holds = "triggers: [{trigger: holds, condition: %s}], actions: [%s]"
+        changes = rules(there=holds % (condition, emit("A")), back=holds % (opposite, emit("B")))
+        assert notes(block, changes) == []
+        (note,) = notes(block, rules(there=holds % (condition, emit("A")), back=holds % (condition, emit("B"))))
+        assert note.startswith("note: there waits")
+
     def test_with_a_time_the_rule_fires(self, differences):
         sections = rules(there=self.THERE % (", for_s: 0.05", emit("A")))
         assert differences(self.STANDS + "events: [{event: A}]", sections) == []
@@ -147,6 +169,7 @@ class TestPlacedInsideZone:
         sections = rules(there=self.enters(entity, more), put=self.PUT)
         (note,) = notes(self.OUTSIDE % "" + "events: [{event: A}]", sections)
         assert note.startswith("note: a rule put Y1 into left at 0.32 s")
+        assert "{entity: Y1, in: left}" in note
 
     def test_other_entity_is_not_noted(self, notes):
         sections = rules(there=self.enters("Y2"), put=self.PUT)

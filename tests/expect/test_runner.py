@@ -173,6 +173,36 @@ rules:
         assert differences(late, self.RULES % 30, crossed) == []
 
 
+class TestRulesByName:
+    GOAL_AND_HIT = "keyframes: [{at_s: 0.32, place: {ball: [0, 0.75]}, touch: [[ball, B1]]}], "
+
+    def test_firing_of_a_rule_is_expected_between_events(self, run):
+        assert run(self.GOAL_AND_HIT + "events: [{rule: goal, at_s: 0.32}, {event: GOAL}, {event: HIT}]") == []
+        assert (
+            run(self.GOAL_AND_HIT + "events: [{event: GOAL}, {rule: hit, payload: {entity: ball}}, {event: HIT}]") == []
+        )
+
+    def test_other_rules_may_fire(self, run):
+        assert run(self.GOAL_AND_HIT + "events: [{rule: hit}], ignore: [GOAL, HIT]") == []
+
+    def test_each_firing_counts(self, run):
+        assert run(GOAL + "events: [{rule: goal}, {rule: goal, at_s: 1}], ignore: [GOAL]") == [
+            "missing: rule goal at 1 s, event 2 of the test"
+        ]
+        twice = "keyframes: [{at_s: 0.32, touch: [[ball, B1]]}, {at_s: 1, touch: [[ball, B1]]}], "
+        assert run(twice + "events: [{rule: hit}], ignore: [HIT]") == ["superfluous: rule hit at 1.024 s (entity ball)"]
+
+    def test_suppressed_rule_has_not_fired(self, run):
+        once = "rules: {once: {triggers: [{trigger: touches, entity: ball, other: B1}], actions: [{action: end}], phases: [pause]}}"
+        found = run(self.GOAL_AND_HIT + "events: [{rule: once}], ignore: [GOAL, HIT]", "phases: {pause: {}}", once)
+        assert found == ["missing: rule once, event 1 of the test"]
+
+    def test_reason_why_a_missing_rule_did_not_fire_is_noted(self, run):
+        late = "rules: {late: {triggers: [{trigger: touches, entity: ball, other: B1}], conditions: [{condition: half, equals: 2}], actions: [{action: place, entity: ball, at: start}]}}"
+        *_, note = run(self.GOAL_AND_HIT + "events: [{rule: late, at_s: 0.3}], ignore: [GOAL, HIT]", late)
+        assert note.startswith("note: late was triggered at 0.32 s")
+
+
 class TestGiven:
     def test_score_counters_and_flags_are_set_before_the_half(self, run):
         given = "given: {score: {yellow: 3}, counters: {goals: 7}, flags: {up: true}}, "

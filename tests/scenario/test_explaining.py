@@ -70,6 +70,9 @@ CASES = [
      "wrong-value entrants.blue.robots.B1[0]"),
     ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, place: {ball: [1]}}]}}\n",
      "wrong-value expect.t.keyframes[0].place.ball"),
+    ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0}], events: [{at_s: 1}]}}\n", "missing-key expect.t.events[0]"),
+    ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0}], events: [{rule: r, event: E}]}}\n" + rule(), "conflicting-keys expect.t.events[0].rule"),
+    ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0}], events: [{rule: rr}]}}\n" + rule(), "unknown-name expect.t.events[0].rule -> r"),
     ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, touch: [[ball]]}]}}\n", "wrong-value expect.t.keyframes[0].touch[0]"),
 ]  # fmt: skip
 

@@ -77,7 +77,7 @@ class EventNeverEmitted(LintRule, code="event-never-emitted"):
         for name, test in ctx.scenario.expect.items():
             for index, expected in enumerate(test.events or ()):
                 path: Path = ("expect", name, "events", index, "event")
-                awaited += [(path, expected.event)] if ctx.is_own(path) else []
+                awaited += [(path, expected.event)] if expected.event and ctx.is_own(path) else []
         for path, event in awaited:
             if event not in emitted:
                 hint = did_you_mean(event, emitted)

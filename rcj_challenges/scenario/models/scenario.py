@@ -211,12 +211,23 @@ class Keyframe(Strict):
 
 
 class ExpectedEvent(Strict):
-    """An event that the test expects."""
+    """An event, or the firing of a rule, that the test expects."""
 
-    event: EventName = described(..., "its name")
+    either = ("event", "rule")
+    event: EventName | None = described(None, "the event, by its name")
+    rule: Annotated[Name | None, SectionRef("rule", ("rules",))] = described(
+        None, "the rule that fires, by its name; all its firings must be expected, those of other rules need not be"
+    )
     at_s: float | None = described(None, "time in s; if omitted: any time", ge=0)
     tolerance_s: float = described(0.033, "largest permitted deviation in s", ge=0)
-    payload: dict[Name, Scalar] = described({}, "the part of the payload that is checked")
+    payload: dict[Name, Scalar] = described(
+        {}, "the part of the payload that is checked; of a rule: entity (that of each, or of the trigger), place, other"
+    )
+
+    @property
+    def what(self) -> str:
+        """What is expected: the name of an event, or of a rule after the word."""
+        return self.event or f"rule {self.rule}"
 
 
 class Given(Strict):
@@ -266,7 +277,9 @@ class Expectation(Strict):
     )
     lasts_s: DurationS = described(..., "how long the test lasts, in s")
     events: tuple[ExpectedEvent, ...] | None = Field(
-        None, strict=False, description="all events in order, except those in `ignore`; if omitted: not checked"
+        None,
+        strict=False,
+        description="all events in order, except those in `ignore`, and firings of rules; if omitted: not checked",
     )
     ignore: tuple[EventName, ...] = Field(
         ("MATCH_START", "KICKOFF", "MATCH_FINISH"),
