@@ -175,8 +175,8 @@ class HalfInfo:
         teams: by entrant (the side played now): which entrant that team was in the first half. Identity in half 1,
             exchanged in half 2 of a match with ``swap_sides``.
         scores: points by entrant (side played now) at the start of the half.
-        kept: draws, flags and counters marked ``keep: match``, as the previous half left them, and what is left to be
-            drawn of draws marked ``not_again: match``.
+        kept: what is marked ``keep: match``, as the previous half left it, how often rules that the match
+            limits have fired, and what is left to be drawn of draws marked ``not_again: match``.
     """
 
     half: int

@@ -63,7 +63,7 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
         ValueError: the block decides a draw that does not exist, or a value that it cannot have.
     """
     expected = loaded.scenario.expect[name]
-    scenario = _as_given(loaded.scenario, expected.given)
+    scenario = loaded.scenario
     half = half_of(scenario, expected.half, expected.seed)
     half = replace(
         half,
@@ -189,16 +189,6 @@ def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
         places = len(places_of((expected.spots or {})[name]))
         decides = "a place" if places == 1 else f"{places} places"
         yield f"note: chance set {name} {times(places - missing)}; spots decides {decides}"
-
-
-def _as_given(scenario: Scenario, given: Given) -> Scenario:
-    """Return the scenario, in which what a test presets is kept from the half before: see `_kept`."""
-    changed = {
-        section: {**entries, **{name: entries[name].model_copy(update={"keep": "match"}) for name in preset}}
-        for section, entries, preset in _presets(scenario, given)
-        if preset
-    }
-    return scenario.model_copy(update=changed) if changed else scenario
 
 
 def _kept(scenario: Scenario, roster: Roster, given: Given) -> dict[str, dict[str, Any]]:

@@ -63,6 +63,7 @@ def _for_others(model: Rule, rule: BoundRule, context: CompileContext) -> list[B
 
 
 def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext) -> BoundRule:
+    keep, most = rule.limit
     return BoundRule(
         name=name,
         each=each,
@@ -70,9 +71,10 @@ def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext
         phases=None if rule.phases == "any" else frozenset(rule.phases),
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),
-        max_executions=rule.max_executions,
+        max_executions=most,
         says=fill_params(rule, context.scenario.params),
         priority=rule.priority,
+        past=context.state.history(keep, name, each),
     )
 
 

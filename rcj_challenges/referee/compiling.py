@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any, TypeVar
 
 from rcj_challenges.core.timing import TICK_S, ticks_from_s
@@ -68,8 +69,17 @@ class CompileContext:
     def set_lengths(self) -> None:
         """Give each timer the length that it has as the half starts."""
         for name, clocks in self.state.timers.items():
-            for owner in clocks:
-                self.set_length(name, owner)
+            self.state.anew_in(self.scenario.timers[name].keep, partial(self._begin_timer, name))
+            for owner, clock in clocks.items():
+                if not clock.length_s:
+                    self.set_length(name, owner)
+
+    def _begin_timer(self, name: str) -> None:
+        timer = self.scenario.timers[name]
+        for owner, clock in self.state.timers[name].items():
+            self.set_length(name, owner)
+            runs = timer.starts if timer.while_ is None else clock.since is not None
+            clock.elapsed, clock.since = 0, self.state.tick if runs else None
 
     def length_s(self, lasts_s: Lasts | None, owner: str | None = None) -> float | None:
         """Return the length in s that a timer or a phase has by now; None: it has none."""

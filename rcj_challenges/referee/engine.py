@@ -71,7 +71,7 @@ class Referee:
         self._clock_events, self._pose_history = self._context.clock_events, self._context.pose_history
         self._all_present = True
         self._clock_runs = self._clock_ran = True
-        self._waiting = False
+        self._waiting = self._has_begun_anew = False
         self._phase_ends = NEVER
         self._entered: list[tuple[str, str]] = []
         self._emitted: list[tuple[str, tuple[str, ...]]] = []
@@ -188,6 +188,9 @@ class Referee:
         """Judge a tick; ``by_hand``: entities that a test has put elsewhere since the last one."""
         state = self._state
         state.by_hand = by_hand
+        if self._has_begun_anew:  # with the phase of the tick before: timers end at another time
+            self._trackers.reschedule()
+            self._has_begun_anew = False
         tick = state.tick = snapshot.tick
         substeps = snapshot.substeps
         changed_phase = tick >= self._phase_ends
@@ -228,7 +231,8 @@ class Referee:
         """Settle what the last tick set off, fire ``half_ended``, and settle again; a rule may still end the match."""
         ended = self._state.ended
         placements = self._settle()
-        self._hits.report(self._clock_events.half_ended)
+        by = "time" if ended is None else "rule"
+        self._hits.report([binding for wanted, binding in self._clock_events.half_ended if wanted in (None, by)])
         settled, self._rounds.settling = self._rounds.settling, 0
         self._rounds.fire()
         placements += self._carry_out()
@@ -316,6 +320,7 @@ class Referee:
         left = self._state.phase
         self._entered.append((phase, left))
         self._state.phase = phase
+        self._has_begun_anew |= self._state.begin_phase(phase)
         self._set_phase(phase)
         self._trackers.enter(phase, left)
 

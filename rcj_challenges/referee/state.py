@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict
+from functools import partial
 from typing import Any
 
 from rcj_challenges.core.amounts import plain, round_score
@@ -15,6 +17,7 @@ from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, Phase
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.tracking.bound_rules import RuleHistory
 from rcj_challenges.tracking.state import Clock, Number, RefereeState
 
 _FLOAT32 = struct.Struct("<f")
@@ -23,6 +26,14 @@ _FLOAT32 = struct.Struct("<f")
 def float32(value: float) -> float:
     """Return the value as the world and the trajectory keep it, so that a placed pose is exactly the pose judged."""
     return float(_FLOAT32.unpack(_FLOAT32.pack(value))[0])
+
+
+def _begin(values: dict[str, Any], name: str, initial: Any) -> None:
+    """Let a value, or one of each of several, be what it is at first; in place, as words hold on to what they read."""
+    if isinstance(initial, dict):
+        values[name].update(initial)
+    else:
+        values[name] = initial
 
 
 class State(RefereeState):
@@ -38,7 +49,32 @@ class State(RefereeState):
         self._decided: dict[str, list[Scalar]] = {}
         self._decided_spots: dict[str, list[tuple[float, float]]] = {}
         self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
+        self.began_with = {"half": dict(self.scores), "phase": dict(self.scores)}
+        self._by_phase: list[tuple[str, Callable[[], None]]] = []
+        self._histories: dict[str, dict[str, RuleHistory]] = {}
         self._fill()
+
+    def anew_in(self, keep: str | None, begin: Callable[[], None]) -> None:
+        """Let something begin anew with the phases for which it is kept."""
+        if keep not in (None, "half", "match"):
+            self._by_phase.append((keep, begin))
+
+    def begin_phase(self, phase: str) -> bool:
+        """Let what is kept for this phase, or for each, begin anew; return whether anything does."""
+        self.began_with["phase"].update(self.scores)
+        found = [begin for keep, begin in self._by_phase if keep in ("phase", phase)]
+        for begin in found:
+            begin()
+        return bool(found)
+
+    def history(self, keep: str, rule: str, each: str | None) -> RuleHistory:
+        """Return the history of a rule, whose firings are counted for so long."""
+        past = RuleHistory()
+        self.anew_in(keep, past.forget_executions)
+        if keep == "match":
+            past.executions = self.half.kept.get("executions", {}).get(rule, {}).get(each or "", 0)
+            self._histories.setdefault(rule, {})[each or ""] = past
+        return past
 
     def _fill(self) -> None:
         sections: tuple[tuple[str, dict[str, Any]], ...] = (("counters", self.counters), ("flags", self.flags))
@@ -47,16 +83,19 @@ class State(RefereeState):
             for name, one in getattr(self.scenario, section).items():
                 first = round_score(one.first) if section == "counters" and one.first is not None else one.first
                 self.first.setdefault(section, {})[name] = first
-                values[name] = first if one.per is None else dict.fromkeys(self._members(one.per), first)
-                if one.keep == "match" and name in kept:
-                    values[name] = dict(kept[name]) if isinstance(kept[name], dict) else kept[name]
+                initial = first if one.per is None else dict.fromkeys(self._members(one.per), first)
+                value = kept.get(name, initial)
+                values[name] = dict(value) if isinstance(value, dict) else value
+                self.anew_in(one.keep, partial(_begin, values, name, initial))
         keeps = {"lowest": min, "highest": max}
         self.keeps = {name: keeps[one.keeps] for name, one in self.scenario.counters.items() if one.keeps is not None}
+        kept = self.half.kept.get("timers", {})
         for name, timer in self.scenario.timers.items():
             members = (None,) if timer.per is None else self._members(timer.per)
-            since = 0 if timer.starts else None
-            # How long they are is known when everything is drawn.
-            self.timers[name] = {member: Clock(0, since=since) for member in members}
+            # How long they are is known when everything is drawn; but for those that go on.
+            first = {"length": 0, "since": 0 if timer.starts else None}
+            own = kept.get(name, {})
+            self.timers[name] = {member: Clock(**own.get(member or "", first)) for member in members}
 
     def _members(self, group: str) -> tuple[str, ...]:
         return self.roster.expand(group)
@@ -126,7 +165,7 @@ class State(RefereeState):
         return {name: len(left) for name, left in self._decided_spots.items() if left}
 
     def kept(self) -> dict[str, dict[str, object]]:
-        """Return the draws, flags and counters that are kept for the next half's `HalfInfo.kept`."""
+        """Return what is kept for the next half's `HalfInfo.kept`."""
         counters: dict[str, object] = {
             name: dict(value) if isinstance(value, dict) else value
             for name, value in self.counters.items()
@@ -135,13 +174,26 @@ class State(RefereeState):
         undrawn: dict[str, object] = {
             name: list(left) for name, left in self._undrawn.items() if self.scenario.draws[name].not_again == "match"
         }
+        timers: dict[str, object] = {
+            name: {member or "": self._clock_kept(clock) for member, clock in clocks.items()}
+            for name, clocks in self.timers.items()
+            if self.scenario.timers[name].keep == "match"
+        }
+        executions: dict[str, object] = {
+            rule: {each: past.executions for each, past in pasts.items()} for rule, pasts in self._histories.items()
+        }
         return {
             "draws": {name: self.draws[name] for name, draw in self.scenario.draws.items()
                       if draw.keep == "match" and name in self.draws},
             "flags": {name: self.flags[name] for name, flag in self.scenario.flags.items() if flag.keep == "match"},
             **({"undrawn": undrawn} if undrawn else {}),
             **({"counters": counters} if counters else {}),
+            **({"timers": timers} if timers else {}),
+            **({"executions": executions} if executions else {}),
         }  # fmt: skip
+
+    def _clock_kept(self, clock: Clock) -> dict[str, object]:
+        return asdict(clock) | {"elapsed": clock.ticks(self.tick), "since": None if clock.since is None else 0}
 
     def phase_model(self, name: str) -> Phase:
         """Return a phase of the scenario; ``play`` need not be written."""

@@ -18,7 +18,7 @@ Reader = Callable[["Firing"], Any]
 
 @dataclass(slots=True)
 class RuleHistory:
-    """What a rule has done in this half; shared by all things that ``other`` stands for.
+    """What a rule has done; shared by all things that ``other`` stands for.
 
     Attributes:
         rests_until: first tick at which it may fire again.
@@ -26,6 +26,10 @@ class RuleHistory:
 
     rests_until: int = 0
     executions: int = 0
+
+    def forget_executions(self) -> None:
+        """Count its firings from 0."""
+        self.executions = 0
 
 
 @dataclass(eq=False)

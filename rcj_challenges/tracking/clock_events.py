@@ -37,7 +37,7 @@ class ClockEvents:
     """Bindings by what they wait for; of an event also by what it is about, None: anything."""
 
     half_started: list[TriggerBinding] = field(default_factory=list)
-    half_ended: list[TriggerBinding] = field(default_factory=list)
+    half_ended: list[tuple[str | None, TriggerBinding]] = field(default_factory=list)
     entered: dict[str, list[tuple[str | None, TriggerBinding]]] = field(default_factory=dict)
     events: dict[tuple[str, str | None], list[TriggerBinding]] = field(default_factory=dict)
     times: dict[int, list[Alarm]] = field(default_factory=dict)

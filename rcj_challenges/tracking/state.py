@@ -58,6 +58,7 @@ class RefereeState:
         ways: by entity, how far it has driven or rolled in the half, in m; only entities that a rule asks about.
         spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
         scores: by entrant, as seated in this half.
+        began_with: the scores at the beginning of the ``half`` and of the ``phase``.
         messages: by robot, its last radio message to the referee in this half.
         counters, flags: by name; a mapping by entity for those kept per entity.
         first: the values at the beginning of a half, by section and name.
@@ -84,6 +85,7 @@ class RefereeState:
         self.placed_at: list[tuple[float, float]] = []
         self.messages: dict[str, str] = {}
         self.scores: dict[str, Number] = {}
+        self.began_with: dict[str, dict[str, Number]] = {}
         self.counters: dict[str, Number | dict[str, Number | None] | None] = {}
         self.flags: dict[str, bool | dict[str, bool]] = {}
         self.first: dict[str, dict[str, Any]] = {}

@@ -32,7 +32,8 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         other = self.equals
-        if not isinstance(other, ScoreValue) or other.is_computed() or self.value.is_computed():
+        is_plain = isinstance(other, ScoreValue) and other.since is self.since is None
+        if not isinstance(other, ScoreValue) or not is_plain or other.is_computed() or self.value.is_computed():
             return super().describe(phrases)
         scores = f"the scores of {plain(self.score)} and {plain(other.score)}"
         return f"{scores} {'differ' if self.negate else 'are equal'}"

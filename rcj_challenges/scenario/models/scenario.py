@@ -1,5 +1,6 @@
 """The whole file: rules, results, limits, tests, and the sections put together."""
 
+from dataclasses import replace
 from typing import Annotated, Literal, TypeVar
 
 from pydantic import Field
@@ -9,7 +10,7 @@ from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.effects import Effect, Moment
 from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.message import Said
-from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
+from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEP, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Value
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
@@ -30,6 +31,8 @@ _M = TypeVar("_M", bound=Moment)
 
 RowValues = Annotated[dict[Name, Scalar | tuple[Scalar, ...]], Field(max_length=MAX_ROWS)]
 """What stands beside one of the names for which a rule is repeated."""
+
+_Times = Annotated[int, Field(ge=1)]
 
 _COUNTERS = SectionRef("counter", ("counters",), keys=True)
 _FLAGS = SectionRef("flag", ("flags",), keys=True)
@@ -82,8 +85,12 @@ class Rule(Strict):
     cooldown_s: DurationS | None = described(
         None, "time in s after a firing during which the rule cannot fire again; counted per member with for_each"
     )
-    max_executions: int | None = described(
-        None, "maximum number of firings per half; counted per member with for_each", ge=1
+    max_executions: Annotated[
+        _Times | Annotated[dict[Name, _Times], Field(min_length=1, max_length=1)] | None, replace(KEEP, keys=True)
+    ] = described(
+        None,
+        "maximum number of firings in a half; or {match: 1}: in the match, {phase: 1}: in a phase, {NAME: 1}: from one "
+        "beginning of the phase NAME to the next; counted per member with for_each",
     )
     says: str = described(
         "",
@@ -92,6 +99,12 @@ class Rule(Strict):
         max_length=500,
     )
     sheet: bool = described(True, "false: the rule is left out of the rule sheet")
+
+    @property
+    def limit(self) -> tuple[str, int | None]:
+        """For how long firings are counted, as `keep` says it, and how many there may be; None: any number."""
+        most = self.max_executions
+        return next(iter(most.items())) if isinstance(most, dict) else ("half", most)
 
     def effects(self, kind: type[_E]) -> list[_E]:
         """Return the effects of one kind that its actions have."""

@@ -6,8 +6,13 @@ from pydantic import Field
 
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import Name, Scalar, Strict, described
-from rcj_challenges.rules.refs import KEEPERS, MEMBERS, ONE_ENTITY, PHASE, STEP
+from rcj_challenges.rules.refs import KEEP, KEEPERS, MEMBERS, ONE_ENTITY, PHASE, STEP
 from rcj_challenges.rules.values import Lasts
+
+_KEEP = (
+    "half: it begins anew in each half; match: it goes on in the next half{}; phase: it begins anew in each phase; the "
+    "name of a phase: it begins anew when that phase begins{}"
+)
 
 
 class Draw(Strict):
@@ -48,10 +53,8 @@ class Counter(Strict):
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own counter"
     )
-    keep: Literal["half", "match"] | None = described(
-        None,
-        "match: the value is kept for the next half and stays with the robot, not the team; "
-        "half, or omitted: it is reset",
+    keep: Annotated[Name | None, KEEP] = described(
+        None, _KEEP.format(", with the robot, not with the team", "; if omitted: half")
     )
     keeps: Literal["lowest", "highest"] | None = described(
         None, "of the values that `to` gives it, the lowest or the highest is kept; if omitted: the last one"
@@ -72,7 +75,7 @@ class Flag(Strict):
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own flag"
     )
-    keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half")
+    keep: Annotated[Name, KEEP] = described("half", _KEEP.format("", ""))
 
     @property
     def first(self) -> bool:
@@ -91,7 +94,8 @@ class Timer(Strict):
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own timer"
     )
-    starts: bool = described(False, "True: it runs from the start of the half")
+    starts: bool = described(False, "True: it runs from the start, of the half or as `keep` says")
+    keep: Annotated[Name | None, KEEP] = described(None, _KEEP.format("", "; if omitted: half"))
     while_: tuple[AnyCondition, ...] | None = Field(
         None,
         alias="while",

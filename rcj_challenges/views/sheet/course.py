@@ -55,6 +55,8 @@ def _phase_words(phrases: Phrasebook, name: str, phase: Phase) -> str:
 def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
     one_for_each = f"; there is one for {phrases.each_of(timer.per)}" if timer.per else ""
     starts = f"; it starts with the {phrases.period}" if timer.starts else ""
+    if timer.keep not in (None, "half"):
+        starts = f"; it {'starts' if timer.starts else 'is 0'} when {_begin_words(phrases, timer.keep)}"
     lasts = "has no end" if timer.lasts_s is None else f"lasts {duration_words(phrases, timer.lasts_s)}"
     held = "" if timer.while_ is None else f"; it runs while {as_one(timer.while_).describe(phrases)}"
     return f"The timer {quoted(name)} {lasts}{one_for_each}{starts}{held}."
@@ -62,15 +64,24 @@ def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
 
 def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) -> str:
     """Return the first value of a counter or flag, if that is not 0 or unset in each half."""
-    stays = one.keep == "match" and phrases.scenario.match.halves > 1
-    if not one.first and one.first is not None and not stays:
+    is_only_one = one.keep == "match" and phrases.scenario.match.halves == 1
+    is_usual = not one.first and one.first is not None
+    if is_usual and (one.keep in (None, "half") or is_only_one):
         return ""
     initial = ("set" if one.first else "not set") if isinstance(one, Flag) else _number_words(one.first)
-    which, half = quoted_measure(name) if kind == "counter" else quoted(name), phrases.period
+    which = quoted_measure(name) if kind == "counter" else quoted(name)
     owners = phrases.owners(kind, name)
     of = f" of {phrases.each_of(owners)}" if owners else ""
-    when = f"the match starts, and goes on from {half} to {half}" if stays else f"{half.a} starts"
-    return f"The {kind} {which}{of} is {initial} when {when}."
+    return f"The {kind} {which}{of} is {initial} when {_begin_words(phrases, one.keep)}."
+
+
+def _begin_words(phrases: Phrasebook, keep: str | None) -> str:
+    """Return when something begins anew that is kept for so long."""
+    half, halves = phrases.period, phrases.scenario.match.halves
+    if keep == "match" and halves > 1:
+        return f"the match starts, and goes on from {half} to {half}"
+    known = {"half": f"{half.a} starts", "match": "the match starts", "phase": "a phase begins"}
+    return known.get(keep or "half", f"the phase {quoted(str(keep))} begins")
 
 
 def _number_words(value: float | None) -> str:

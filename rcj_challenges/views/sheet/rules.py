@@ -53,9 +53,10 @@ def when_words(rule: Rule, phrases: Phrasebook) -> str:
 def _sentence(rule: Rule, phrases: Phrasebook) -> str:
     phrases = phrases.within(rule)
     each = "for each of them " if rule.for_each else ""
+    keep, most = rule.limit
     limits = [
         *([f"{each}at most once in {seconds(rule.cooldown_s)}"] if rule.cooldown_s else []),
-        *([f"{each}at most {times(rule.max_executions)} {phrases.period.a}"] if rule.max_executions else []),
+        *([f"{each}at most {times(most)} {_during(keep, phrases)}"] if most else []),
         *(["in every phase"] if rule.phases == "any" else []),
     ]
     if rule.phases not in ("any", ("play",)):
@@ -63,6 +64,11 @@ def _sentence(rule: Rule, phrases: Phrasebook) -> str:
     actions = ", then ".join(action.describe(phrases) for action in rule.actions)
     tail = f" ({'; '.join(limits)})" if limits else ""
     return f"{when_words(rule, phrases)}: {actions}{tail}."
+
+
+def _during(keep: str, phrases: Phrasebook) -> str:
+    known = {"half": phrases.period.a, "match": "in the match", "phase": "in a phase"}
+    return known.get(keep, f"from one beginning of the phase {quoted(keep)} to the next")
 
 
 def _general(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
