@@ -1,18 +1,31 @@
 """Matches of teams that have designed their robots."""
 
-import pytest
+import time
 
+import pytest
+from typer.testing import CliRunner
+
+from rcj_challenges.checker.designs import check_designs
+from rcj_challenges.cli.commands import app
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.match.designs import with_designs
+from rcj_challenges.match.rejudge import differences, recorded, rejudge
 from rcj_challenges.match.runner import MatchPlan, play_match
+from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.records.recorded_scenario import read_scenario
+from rcj_challenges.records.referee_log import read_referee_log
 from rcj_challenges.records.result import read_result
+from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.scenario.designs import ROBOT_FILE
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import chassis_of, devices_of
 from rcj_challenges.scenario.load import load_recorded, load_text
 from rcj_challenges.submissions.team import SuperTeam, open_team
+from rcj_challenges.tournament.site.public import read_replay
+from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.video.footage import Footage
 from tests.match.playing import Place
-from tests.scenario.test_designs import GUIDELINES, design
+from tests.scenario.test_designs import GUIDELINES, HOSTILE, design
 
 PROGRAM = """
 from controller import Robot
@@ -21,6 +34,16 @@ print(robot.getName(), sorted(robot.devices))
 while robot.step(32) != -1:
     pass
 """
+FOUR_A_SIDE = """robots:
+  B4: {colour: blue, number: 4, kit: v2, start: {x_m: -0.45, y_m: 0.4, yaw_rad: -1.57}}
+  Y4: {colour: yellow, number: 4, kit: v2, start: {x_m: 0.45, y_m: -0.4, yaw_rad: 1.57}}
+"""
+WITH_FOUR = (
+    GUIDELINES.replace("design: workshop}", "design: workshop, robots: {B4: robot1/robot1.py}}", 1).replace(
+        "yellow: {design: workshop}", "yellow: {design: workshop, robots: {Y4: robot1/robot1.py}}"
+    )
+    + FOUR_A_SIDE
+)
 TWO = design() + "  goalie: {chassis: {drive: omni, size_m: 0.09}, devices: {}}\nrobots: [striker, striker, goalie]\n"
 
 
@@ -99,3 +122,57 @@ def test_each_member_of_a_super_team_drives_its_own_design(tmp_path):
     scenario = in_half(with_designs(base, {"blue": super_team}).scenario, 1)
     assert [chassis_of(scenario, name).size_m for name in ("B1", "B2", "B3")] == [0.08, 0.09, 0.075]
     assert chassis_of(scenario, "B3").drive == "differential"
+
+
+def test_record_is_judged_and_played_again_with_the_designs_of_both_halves(played):
+    *_, teams, outcome = played
+    trajectory, scenario = Trajectory.open(outcome.folder), read_scenario(outcome.folder)
+    before = recorded(trajectory, read_referee_log(outcome.folder), read_result(outcome.folder).score)
+    assert differences(before.events, rejudge(trajectory, scenario).events) == []
+    given = [word for team in teams.values() for word in ("--team", str(team.source))]
+    done = CliRunner().invoke(app, ["verify", str(outcome.folder), *given])
+    assert done.exit_code == 0
+
+
+def test_replay_page_and_video_show_each_body_where_its_team_plays(played):
+    *_, outcome = played
+    write_replay(outcome.folder)
+    facts = read_replay((outcome.folder / REPLAY).read_text("utf-8")).facts
+    footage = Footage.open(outcome.folder)
+    sizes = {"striker": 0.075, "goalie": 0.09, "usual": 0.075}
+    wheels = {"striker": 4, "goalie": 4, "usual": 2}
+    ours, theirs = ("striker", "striker", "goalie"), ("usual",) * 3
+    for half, wanted in ((1, ours + theirs), (2, theirs + ours)):
+        on_page = facts["halves"][half - 1]["bodies"]
+        in_video = footage.dressed(half).things["entities"]
+        for number, name in enumerate(wanted):
+            for looks in (on_page[str(number)], in_video[number]):
+                assert (looks["size_m"], len(looks["wheels"])) == (sizes[name], wheels[name])
+
+
+def test_super_team_of_four_plays_with_four_designs_on_both_sides(tmp_path):
+    place, base = Place(tmp_path), load_text(WITH_FOUR)
+    sizes_m = [0.07, 0.08, 0.085, 0.09]
+    members = tuple(team(place, design(f", size_m: {size_m}"), base.scenario) for size_m in sizes_m)
+    scenario = with_designs(base, {"blue": SuperTeam(members)}).scenario
+    for half, ours in ((1, "B"), (2, "Y")):
+        here = in_half(scenario, half)
+        assert [chassis_of(here, f"{ours}{number}").size_m for number in (1, 2, 3, 4)] == sizes_m
+
+
+@pytest.mark.parametrize("data", HOSTILE.values(), ids=HOSTILE)
+def test_run_and_check_refuse_a_hostile_file_for_the_same_reasons_within_a_second(tmp_path, data):
+    place, base = Place(tmp_path), load_text(GUIDELINES)
+    ours = team(place, None, base.scenario)
+    ours.close()
+    (ours.source / ROBOT_FILE).write_bytes(data)
+    with open_team(ours.source, *base.scenario.entrants.values()) as ours:
+        began = time.process_time()
+        with pytest.raises(DiagnosticError) as caught:
+            with_designs(base, {"blue": ours})
+        between = time.process_time()
+        stage = check_designs(ours, base)
+        ended = time.process_time()
+    assert max(between - began, ended - between) < 1
+    assert {one.code for one in caught.value.diagnostics} == {one.code for one in stage.findings} != set()
+    assert stage.level == "error"

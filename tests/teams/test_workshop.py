@@ -6,14 +6,18 @@ import json
 from pathlib import Path
 
 import pytest
+import yaml
 from typer.testing import CliRunner
 
 from rcj_challenges.checker.designs import check_designs
 from rcj_challenges.cli.commands import app
+from rcj_challenges.scenario.designs import judge_designs
+from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.submissions.team import open_team
 
-TEAMS = Path(__file__).resolve().parents[2] / "examples" / "teams"
+ROOT = Path(__file__).resolve().parents[2]
+TEAMS = ROOT / "examples" / "teams"
 WORKSHOP = ("workshop_classic", "workshop_keeper", "workshop_striker")
 PROGRAM = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 AT_RANDOM = """import random
@@ -34,6 +38,26 @@ def test_a_design_is_within_the_budget_and_every_device_is_used(name):
     with open_team(TEAMS / name, *loaded.scenario.entrants.values()) as team:
         stage = check_designs(team, loaded)
     assert {finding.code for finding in stage.findings} == {"design.cost"}
+
+
+GUIDED = [path for path in sorted(ROOT.glob("scenarios/**/*.yaml")) if load(path).scenario.guidelines]
+
+
+@pytest.mark.parametrize("path", GUIDED, ids=lambda path: path.stem)
+def test_the_usual_robots_are_within_the_guidelines(path):
+    """A team that writes down the kit that it has anyway hands in a valid design."""
+    scenario = load(path).scenario
+    assert scenario.guidelines
+    for seat, entrant in scenario.entrants.items():
+        guideline = scenario.guidelines[entrant.design or ""]
+        kits = [kit_of(scenario, robot) for robot in entrant.robots]
+        for kit in {id(kit): kit for kit in kits}.values():
+            data = kit.model_dump(mode="json", exclude_defaults=True)
+            devices = {name: device for name, device in data["devices"].items() if name not in guideline.keeps}
+            file = {"design_version": 1, "designs": {"usual": {"chassis": data.get("chassis", {}), "devices": devices}}}
+            verdict = judge_designs(yaml.safe_dump(file).encode(), guideline, len(entrant.robots), 0.021, {})
+            assert [str(one) for one in verdict.problems + verdict.warnings] == [], seat
+            assert sum(one.points for one in verdict.prices["usual"]) <= guideline.budget
 
 
 @pytest.mark.parametrize("name", WORKSHOP)

@@ -106,6 +106,29 @@ def test_stronger_of_two_dribblers_takes_the_ball_on_either_side():
         assert (has_ball(stage, "B1"), has_ball(stage, "B2")) == (first > second, second > first)
 
 
+def test_two_equal_dribblers_change_places_and_nothing_else_changes():
+    """A tug of war: what becomes of the ball does not depend on which robot is on which side."""
+    paths = []
+    for first, second in (("B1", "B2"), ("B2", "B1")):
+        stage = stage_with(0.12, 0.12)
+        stage.put(first, 0.0, 0.0)
+        stage.put("ball", HALF_CUBE + BALL_R + 0.0005, 0.0)
+        stage.put(second, 2 * (HALF_CUBE + BALL_R + 0.001), 0.002, math.pi)
+        for name in (first, second):
+            spin_up(stage, name)
+        stage.play(0.3)
+        for name in (first, second):
+            stage.drive(name, -2, -2)
+        path = []
+        for _ in range(30):
+            stage.play()
+            path.append(stage.pose("ball")[:2])
+        paths.append((path, has_ball(stage, first), has_ball(stage, second)))
+    (one, *kept), (other, *kept_too) = paths
+    assert kept == kept_too
+    assert max(math.dist(a, b) for a, b in zip(one, other, strict=True)) < 0.001
+
+
 @pytest.mark.parametrize("how", ["off", "angle", "held"])
 def test_roller_that_stands_does_nothing(how):
     stage = stage_with(0.25)
