@@ -138,7 +138,13 @@ class CompileContext:
         names = tuple(dict.fromkeys(name for step in steps for name in step))
         zones: dict[str, Region] = {name: self.names.zone(name) for name in names if name in self.scenario.zones}
         gates = {name: self.names.gate(name) for name in names if name not in zones}
-        path = SequencePath(steps, sequence.cyclic, sequence.wrong_step == "break", sequence.when_placed == "goes_on")
+        path = SequencePath(
+            steps,
+            sequence.cyclic,
+            sequence.wrong_step == "break",
+            sequence.when_placed == "goes_on",
+            sequence.order == "any",
+        )
         return SequenceTracker(self.state, self.hits, self.names.entity(member), path, zones, gates)
 
 

@@ -1,4 +1,4 @@
-"""Sequences: steps to be made in order over zones or gates."""
+"""Sequences: steps to be made over zones or gates."""
 
 from __future__ import annotations
 
@@ -23,12 +23,14 @@ class SequencePath(NamedTuple):
         is_cyclic: whether it goes on with its first step when it is complete.
         breaks: whether a wrong step ends it.
         survives_placement: whether the steps made are kept when a rule puts its entity somewhere.
+        is_in_any_order: whether the steps may be made in any order.
     """
 
     steps: tuple[tuple[str, ...], ...]
     is_cyclic: bool
     breaks: bool
     survives_placement: bool
+    is_in_any_order: bool = False
 
 
 class SequenceTracker(PositionTracker):
@@ -47,7 +49,7 @@ class SequenceTracker(PositionTracker):
         self.completed: list[TriggerBinding] = []
         self.broken: list[TriggerBinding] = []
         self._path = path
-        self._steps = path.steps
+        self._steps = list(path.steps)  # in any order: as they are made
         self._zones = zones
         self._gates = gates
         self._inside: set[str] = set()
@@ -77,9 +79,10 @@ class SequenceTracker(PositionTracker):
         return {name for name, region in self._zones.items() if region.contains(x_m, y_m)}
 
     def _stand_at_first(self) -> None:
-        inside = [name for name in self._steps[0] if name in self._inside]
-        self._at, self.reached = (0, inside[0]) if inside else (_NOT_BEGUN, None)
-        self._begun = self._state.tick
+        self._at, self.reached, self._begun = _NOT_BEGUN, None, self._state.tick
+        inside = next((name for name in self._expected() if name in self._inside), None)
+        if inside is not None:
+            self._step_to(inside)
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a cell in which no step is made."""
@@ -119,7 +122,10 @@ class SequenceTracker(PositionTracker):
             self._stand_at_first()
 
     def _expected(self) -> tuple[str, ...]:
-        return self._steps[(self._at + 1) % len(self._steps)]
+        left = self._steps[self._at + 1 :]
+        if self._path.is_in_any_order and left:
+            return tuple(name for step in left for name in step)
+        return left[0] if left else self._steps[0]
 
     def _step_to(self, name: str) -> None:
         last = len(self._steps) - 1
@@ -128,6 +134,9 @@ class SequenceTracker(PositionTracker):
         self.reached = name
         if self._at < last:
             self._at += 1
+            if self._path.is_in_any_order:
+                made = next(place for place in range(self._at, last + 1) if name in self._steps[place])
+                self._steps.insert(self._at, self._steps.pop(made))
             if self._at == last and not self._path.is_cyclic:
                 self._report(self.completed)
                 self._at = _NOT_BEGUN

@@ -24,7 +24,7 @@ from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_hal
 from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
-from rcj_challenges.scenario.models.state import Draw
+from rcj_challenges.scenario.models.state import Draw, Sequence
 from rcj_challenges.scenario.positions import centre_of
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
@@ -94,6 +94,9 @@ def _keys(model: Strict, path: Path) -> Iterator[Diagnostic]:
         for key in (one for one in ("not_last", "not_again") if getattr(model, one)):
             message = "one value alone comes again every time"
             yield issue(codes.CONFLICTING_KEYS, (*path, key), message, "give two different values")
+    if isinstance(model, Sequence) and model.order == "any" and model.wrong_step == "break":
+        message = "in any order no step is wrong"
+        yield issue(codes.CONFLICTING_KEYS, (*path, "wrong_step"), message, "leave out 'wrong_step' or 'order'")
     if isinstance(model, Rule) and isinstance(model.phases, tuple) and "any" in model.phases:
         message = "'any' cannot stand in a list of phases"
         yield issue(codes.WRONG_VALUE, (*path, "phases"), message, "any phase is written phases: any, without brackets")

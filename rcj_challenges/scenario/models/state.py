@@ -112,7 +112,7 @@ class AnyStep(Strict):
 
 
 class Sequence(Strict):
-    """Steps to complete in order: zones to enter, gates to cross forward.
+    """Steps to complete, in order or in any order: zones to enter, gates to cross forward.
 
     It starts again when it is complete (a cyclic one goes on), when the action `reset` says so, and, unless it shall
     go on, when a rule puts its entity somewhere or takes it off the field.
@@ -130,7 +130,10 @@ class Sequence(Strict):
         "with its own steps and time",
     )
     steps: Annotated[tuple[Name | AnyStep, ...], STEP] = Field(
-        ..., strict=False, min_length=2, description="zones or gates in order"
+        ..., strict=False, min_length=2, description="zones or gates"
+    )
+    order: Literal["any"] | None = described(
+        None, "any: the steps may be made in any order, and none is wrong; if omitted: in the order of the list"
     )
     cyclic: bool = described(
         False, "True: the sequence is complete when its first step is reached again, and starts again there"

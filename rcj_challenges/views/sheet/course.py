@@ -108,12 +108,15 @@ def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
 
 
 def _sequence_words(phrases: Phrasebook, name: str, sequence: Sequence) -> str:
-    way = ", then ".join(map(phrases.any_of, sequence.places())) + (" and back to the first" if sequence.cyclic else "")
+    places = [phrases.any_of(step) for step in sequence.places()]
+    way = ", then ".join(places) if sequence.order is None else f"{listed(places, 'and')}, in any order"
+    back = f"{',' if sequence.order else ''} and back to the first" if sequence.cyclic else ""
     wrong = "breaks it: it starts again" if sequence.wrong_step == "break" else "changes nothing"
+    turn = f" A step out of turn {wrong}." if sequence.order is None else ""
     owners = phrases.owners("sequence", name)
     followers = phrases.all_of(sequence.followed).text if owners is None else phrases.each_of(owners)
     placed = "goes on" if sequence.when_placed == "goes_on" else "starts again"
     return (
-        f"The sequence {quoted(name)} of {followers}: {way}. A step out of turn {wrong}. It {placed} when a rule puts "
+        f"The sequence {quoted(name)} of {followers}: {way}{back}.{turn} It {placed} when a rule puts "
         f"{'it' if owners else followers} somewhere or takes it off the field."
     )
