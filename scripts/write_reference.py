@@ -286,6 +286,7 @@ CHAPTERS = (
         "compared with the expected ones.",
         (
             Word("expect", scenario.Expectation),
+            Word("halves", scenario.MatchExpectation),
             Word("given", scenario.Given),
             Word("keyframes", scenario.Keyframe, own_example=False),
             Word("events", scenario.ExpectedEvent, own_example=False),

@@ -10,18 +10,20 @@ from math import hypot
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.core.amounts import counted, number_words, round_score, times
-from rcj_challenges.core.play import Event
+from rcj_challenges.core.play import Event, HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
 from rcj_challenges.expect.denied import Wanted, already_true_notes, denied_condition_notes
 from rcj_challenges.expect.placed_inside import placed_inside_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
+from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.rules.effects import Emits, Ends
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import places_of, series_of
-from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
+from rcj_challenges.scenario.halves import by_seat
+from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, MatchExpectation, Scenario
 from rcj_challenges.scenario.models.state import Counter, Flag
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.state import Number
@@ -62,33 +64,44 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
         KeyError: there is no block of this name.
         ValueError: the block decides a draw that does not exist, or a value that it cannot have.
     """
-    expected = loaded.scenario.expect[name]
+    expected, scenario = loaded.scenario.expect[name], loaded.scenario
+    if isinstance(expected, Expectation):
+        return _play(loaded, expected, half_of(scenario, expected.half, expected.seed))[1]
+    carry_over, period = CarryOver(scenario), scenario.match.period
+    match: ScriptedMatch | None = None
+    differences: list[str] = []
+    ticks, fired = 0, dict[str, None]()
+    for number, part in enumerate(expected.halves, start=1):
+        if match is not None and match.output.ends_match:
+            differences.append(f"{period} {number}: not played, as the match was over")
+            break
+        half = half_of(scenario, number, expected.seed)
+        titles = {seat: scenario.entrants[team].title or team for seat, team in half.teams.items()}
+        scores = by_seat(carry_over.scores, half.teams)
+        half = replace(half, team_names=titles, scores=scores, kept=carry_over.kept)
+        match, result = _play(loaded, part, half, is_last=number == len(expected.halves))
+        carry_over.add(half, match.referee, match.tick)
+        differences += (f"{period} {number}: {line}" for line in result.differences)
+        ticks, fired = ticks + result.ticks, fired | dict.fromkeys(result.fired)
+    assert match is not None  # noqa: S101 - there is at least one half
+    differences += _total_differences(match.referee, carry_over, expected)
+    return TestResult(tuple(differences), ticks, tuple(fired))
+
+
+def _play(
+    loaded: Loaded, expected: Expectation, half: HalfInfo, *, is_last: bool = True
+) -> tuple[ScriptedMatch, TestResult]:
+    """Play a half; unless it is the last, it is over after its script."""
     scenario = loaded.scenario
-    half = half_of(scenario, expected.half, expected.seed)
     half = replace(
         half,
         scores=half.scores | {seat: round_score(score) for seat, score in expected.given.score.items()},
-        kept=half.kept | _kept(scenario, loaded.roster, expected.given),
+        kept=_kept(scenario, loaded.roster, expected.given, half.kept),
     )
     spots = {name: places_of(places) for name, places in (expected.spots or {}).items()}
     match = ScriptedMatch(scenario, loaded.roster, half, expected.draws, spots)
-    last = ticks_from_s(expected.lasts_s)
-    before = 0
-    for keyframe in expected.keyframes:
-        at = max(1, ticks_from_s(keyframe.at_s))
-        # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
-        _play_until(match, min(before, at - 1))
-        away = {entity: to for entity, to in keyframe.move.items() if match.is_off(entity)}
-        for entity, to in keyframe.move.items():
-            if entity not in away:
-                match.glide(entity, to, at - match.tick)
-        _play_until(match, at - 1)
-        for entity, to in (keyframe.place | away).items():
-            match.place(entity, *to)
-        _act(match, keyframe)
-        before = at
-    _play_until(match, last)
-    if match.output.ended is not None or match.referee.time_is_up:
+    _follow(match, expected)
+    if match.output.ended is not None or match.referee.time_is_up or not is_last:
         match.finish()
     fired = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed is None)
     differences = [*_differences(match, scenario, expected), *_unsettled(match)]
@@ -107,7 +120,26 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
         if differences
         else ()
     )
-    return TestResult((*differences, *notes), match.tick, tuple(fired))
+    return match, TestResult((*differences, *notes), match.tick, tuple(fired))
+
+
+def _follow(match: ScriptedMatch, expected: Expectation) -> None:
+    """Play the script."""
+    before = 0
+    for keyframe in expected.keyframes:
+        at = max(1, ticks_from_s(keyframe.at_s))
+        # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
+        _play_until(match, min(before, at - 1))
+        away = {entity: to for entity, to in keyframe.move.items() if match.is_off(entity)}
+        for entity, to in keyframe.move.items():
+            if entity not in away:
+                match.glide(entity, to, at - match.tick)
+        _play_until(match, at - 1)
+        for entity, to in (keyframe.place | away).items():
+            match.place(entity, *to)
+        _act(match, keyframe)
+        before = at
+    _play_until(match, ticks_from_s(expected.lasts_s))
 
 
 def _unsettled(match: ScriptedMatch) -> Iterable[str]:
@@ -191,10 +223,10 @@ def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
         yield f"note: chance set {name} {times(places - missing)}; spots decides {decides}"
 
 
-def _kept(scenario: Scenario, roster: Roster, given: Given) -> dict[str, dict[str, Any]]:
-    """Return what a test presets, as the half before would have left it; members without a preset are at first."""
-    return {
-        section: {name: _preset(entries[name], value, roster) for name, value in preset.items()}
+def _kept(scenario: Scenario, roster: Roster, given: Given, kept: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what the half before left, and what a test presets as if it had; members without a preset are at first."""
+    return dict(kept) | {
+        section: kept.get(section, {}) | {name: _preset(entries[name], value, roster) for name, value in preset.items()}
         for section, entries, preset in _presets(scenario, given)
     }
 
@@ -239,13 +271,15 @@ def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation
         yield from event_differences(found, expected.events, expected.ignore)
     for entrant, score in expected.score.items():
         yield from difference(f"score of {entrant}", score, referee.scores.get(entrant))
-    yield from _state_differences(referee, expected)
+    yield from _counter_differences(referee, expected)
+    yield from _flag_differences(referee, expected)
     if expected.phase is not None:
         yield from difference("phase", expected.phase, referee.phase)
     if expected.ended is not None:
         yield from difference("ended", expected.ended, _ended(match))
     if expected.ranking is not None:
-        yield from _ranking_differences(match, scenario, expected.ranking)
+        tally = Tally(referee.counters, {seat: seat for seat in scenario.entrants}, s_from_ticks(match.tick))
+        yield from _ranking_differences(ranking(scenario, referee.scores, [tally]), expected.ranking)
     for name, is_held in (expected.held or {}).items():
         yield from difference(f"{name} held", is_held, referee.held.get(name))
     yield from _pose_differences(match, expected)
@@ -268,13 +302,17 @@ def _happened(match: ScriptedMatch, scenario: Scenario, wanted: Container[str]) 
             yield from islice(events, len(scenario.rules[firing.rule].effects(Emits)))
 
 
-def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]:
-    """Return the counters and flags with another value than expected."""
+def _counter_differences(referee: Referee, expected: Expectation | MatchExpectation) -> Iterable[str]:
+    """Return the counters with another value than expected."""
     for name, count in expected.counters.items():
         if isinstance(count, dict):
             yield from _of_each(f"counter {name}", count, referee.counters.get(name), expected.tolerance_counters)
         else:
             yield from difference(f"counter {name}", count, _number(referee, name), expected.tolerance_counters)
+
+
+def _flag_differences(referee: Referee, expected: Expectation) -> Iterable[str]:
+    """Return the flags with another value than expected."""
     for name, flag in expected.flags.items():
         value = referee.flags.get(name)
         if isinstance(flag, dict):
@@ -298,30 +336,37 @@ def _pose_differences(match: ScriptedMatch, expected: Expectation) -> Iterable[s
             yield f"{name}: expected at ({x:g}, {y:g}), is at {found}; {allowed}"
 
 
+def _total_differences(referee: Referee, carry_over: CarryOver, expected: MatchExpectation) -> Iterable[str]:
+    """Return what differs at the end of several halves, by team."""
+    for team, score in expected.score.items():
+        yield from difference(f"score of {team}", score, carry_over.scores.get(team))
+    yield from _counter_differences(referee, expected)
+    if expected.ranking is not None:
+        yield from _ranking_differences(carry_over.ranking(), expected.ranking)
+
+
 def _ranking_differences(
-    match: ScriptedMatch, scenario: Scenario, expected: tuple[str | tuple[str, ...], ...]
+    ranked: Iterable[dict[str, Any]], expected: tuple[str | tuple[str, ...], ...]
 ) -> Iterable[str]:
     """Return the ranking, if it is not the expected one, with what was compared."""
-    referee, seats = match.referee, {seat: seat for seat in scenario.entrants}
-    tally = Tally(referee.counters, seats, s_from_ticks(match.tick))
     places: dict[int, dict[str, list[Number]]] = {}
-    for entry in ranking(scenario, referee.scores, [tally]):
+    for entry in ranked:
         places.setdefault(entry["place"], {})[entry["team"]] = entry["values"]
     found = [set(sharing) for sharing in places.values()]
     if found != [{one} if isinstance(one, str) else set(one) for one in expected]:
-        ranked = ", then ".join(
+        shown = ", then ".join(
             " and ".join(f"{seat} ({', '.join(map(number_words, values))})" for seat, values in sharing.items())
             for sharing in places.values()
         )
         wanted = ", then ".join(one if isinstance(one, str) else " and ".join(one) for one in expected)
-        yield f"ranking: expected {wanted}; is {ranked}"
+        yield f"ranking: expected {wanted}; is {shown}"
 
 
 def _ended(match: ScriptedMatch) -> str:
     """Return the end that a test has reached: the match by a rule, or the half by a rule or by its time."""
     if match.output.ends_match:
         return "match"
-    return "half" if match.output.ended is not None or match.referee.time_is_up else "none"
+    return "half" if match.is_over else "none"
 
 
 def _number(referee: Referee, name: str) -> Number | None:

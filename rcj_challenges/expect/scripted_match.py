@@ -54,6 +54,7 @@ class ScriptedMatch:
         placements: all so far, each with its tick.
         received: by robot, the last broadcast that it received.
         wrong_ways: the gates that were crossed the way that does not count.
+        is_over: whether the half has ended.
         phases: all phases so far, each with the tick in which it was entered.
     """
 
@@ -87,6 +88,7 @@ class ScriptedMatch:
         self.wrong_ways = WrongWays(scenario, roster)
         self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
         self.received: dict[str, dict[str, Any]] = {}
+        self.is_over = False
         self.output = self._take(self.referee.start(self._snapshot()))
         self._store_broadcast()
 
@@ -153,6 +155,7 @@ class ScriptedMatch:
 
     def finish(self) -> RefereeOutput:
         """End the half."""
+        self.is_over = True
         self.output = self._take(self.referee.finish())
         return self.output
 

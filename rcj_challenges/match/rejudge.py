@@ -10,13 +10,13 @@ from typing import Any
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.play import Event, HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.codes import RECORD_DOES_NOT_FIT
 from rcj_challenges.match.loop import should_continue
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.referee_log import RefereeLog
 from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
+from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.halves import by_seat, half_length_s, in_half
 from rcj_challenges.scenario.models.scenario import Scenario

@@ -12,7 +12,6 @@ from rcj_challenges.core.errors import format_error, interruption_behind
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.core.traffic import Note, RobotSpec
-from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.loading import load_stage
 from rcj_challenges.match.loop import LoopResult, TickLoop
 from rcj_challenges.match.observers import Observer, ProgramTimes
@@ -25,6 +24,7 @@ from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.result import MemberResult
 from rcj_challenges.records.writer import RecordWriter, RunHeader
+from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.robots.fitting import fit, robot_specs
 from rcj_challenges.scenario.halves import by_seat, half_length_s, half_lengths_s, in_half, teams_by_seat
 from rcj_challenges.scenario.load import Loaded

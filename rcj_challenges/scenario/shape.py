@@ -199,9 +199,10 @@ def usual_tag(shape: Shape) -> str | None:
 
 
 def _similarity(model: type[BaseModel], node: Entries) -> float:
-    """Return the number of a mapping's keys that a model knows; a misspelt one counts for half."""
+    """Return the number of a mapping's keys that a model knows; a required one counts twice, a misspelt one half."""
     known = fields(model)
-    return sum(1.0 if key in known else 0.5 * bool(nearest(key, known)) for key in node.entries)
+    required = {info.alias or name for name, info in model.model_fields.items() if info.is_required()}
+    return sum(1.0 + (key in required) if key in known else 0.5 * bool(nearest(key, known)) for key in node.entries)
 
 
 def _fits(kind: Any, node: Node) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
-from rcj_challenges.match.carry_over import CarryOver
+from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import by_seat
 from rcj_challenges.scenario.load import load_text

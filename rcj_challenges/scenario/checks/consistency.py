@@ -23,7 +23,7 @@ from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_half, longest_half_s
 from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.field import Match, Wall
-from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
+from rcj_challenges.scenario.models.scenario import Expectation, Given, MatchExpectation, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw, Sequence
 from rcj_challenges.scenario.positions import centre_of
 from rcj_challenges.scenario.roster import Roster
@@ -55,12 +55,13 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
         if isinstance(model, Match) and (is_length_set or not is_half_set):
             yield from _lengths(model, path, is_of_file=not is_length_set)
         if isinstance(model, Expectation):
+            yield from _of_a_half(model, path)
             yield from _script(model, path)
             yield from _series(model, path, scenario)
             yield from _decided_spots(model, path, scenario)
             if not is_half_set:
                 yield from _length(model, path, scenario)
-        if isinstance(model, Expectation | Given):
+        if isinstance(model, Expectation | MatchExpectation | Given):
             yield from _owners(model, path, scenario, roster)
     for name, rule in scenario.rules.items():
         yield from _measured(rule, ("rules", name), rule, scenario, roster)
@@ -163,13 +164,22 @@ def _lengths(match: Match, path: Path, *, is_of_file: bool) -> Iterator[Diagnost
 
 
 def _length(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
-    half_s = half_length_s(scenario.match, test.half)
+    half = int(path[-1]) + 1 if path[-2] == "halves" else test.half
+    half_s = half_length_s(scenario.match, half)
     if test.lasts_s > half_s and not clock_may_stop(scenario):
         yield issue(codes.TOO_LATE, (*path, "lasts_s"), f"{test.lasts_s:g} s is longer than a half, {half_s:g} s")
-    if test.half > scenario.match.halves:
-        yield issue(
-            codes.TOO_LATE, (*path, "half"), f"there is no half {test.half}; {scenario.match.halves} are played"
-        )
+    if half > scenario.match.halves:
+        at = path if path[-2] == "halves" else (*path, "half")
+        yield issue(codes.TOO_LATE, at, f"there is no half {half}; {scenario.match.halves} are played")
+
+
+def _of_a_half(test: Expectation, path: Path) -> Iterator[Diagnostic]:
+    """Yield what stands in a half of a test, and is of the whole."""
+    for key in ("seed", "half", "ranking") if path[-2] == "halves" else ():
+        if getattr(test, key) != Expectation.model_fields[key].default:
+            yield issue(
+                codes.CONFLICTING_KEYS, (*path, key), f"'{key}' is not of one half", "leave it out", at_key=True
+            )
 
 
 # --- tests ------------------------------------------------------------------------------------------------------------
@@ -212,9 +222,12 @@ def _decided_spots(test: Expectation, path: Path, scenario: Scenario) -> Iterato
         yield issue(codes.NEVER_DRAWN, (*path, "spots", name), f"no rule sets '{name}' at random", help_, at_key=True)
 
 
-def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Diagnostic]:
+def _owners(
+    test: Expectation | MatchExpectation | Given, path: Path, scenario: Scenario, roster: Roster
+) -> Iterator[Diagnostic]:
     """Yield values of single owners for a counter or flag that has no such owners."""
-    for noun, tested, known in (("counter", test.counters, scenario.counters), ("flag", test.flags, scenario.flags)):
+    flags = {} if isinstance(test, MatchExpectation) else test.flags
+    for noun, tested, known in (("counter", test.counters, scenario.counters), ("flag", flags, scenario.flags)):
         for name, values in tested.items():
             kept, at = known.get(name), (*path, f"{noun}s", name)
             if kept is None or not isinstance(values, dict):

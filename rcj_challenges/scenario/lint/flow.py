@@ -9,7 +9,7 @@ from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
-from rcj_challenges.scenario.models.scenario import RankByScore, Rule
+from rcj_challenges.scenario.models.scenario import ExpectedEvent, RankByScore, Rule
 from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import effects_in, walk
@@ -74,10 +74,9 @@ class EventNeverEmitted(LintRule, code="event-never-emitted"):
             for index, trigger in enumerate(rule.triggers)
             if isinstance(moment := trigger.moment(), effects.EventSeen)
         ]
-        for name, test in ctx.scenario.expect.items():
-            for index, expected in enumerate(test.events or ()):
-                path: Path = ("expect", name, "events", index, "event")
-                awaited += [(path, expected.event)] if expected.event and ctx.is_own(path) else []
+        for model, path in ctx.models:
+            if isinstance(model, ExpectedEvent) and model.event and ctx.is_own(path):
+                awaited.append(((*path, "event"), model.event))
         for path, event in awaited:
             if event not in emitted:
                 hint = did_you_mean(event, emitted)

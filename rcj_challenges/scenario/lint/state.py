@@ -10,12 +10,12 @@ from rcj_challenges.rules.effects import Holds, Releases
 from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule, Use
-from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
+from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, MatchExpectation
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.scenario.tree import Leaf, nodes_in
 
-_TESTS = (Expectation, Given, Keyframe)
+_TESTS = (Expectation, MatchExpectation, Given, Keyframe)
 
 
 class NeverRead(LintRule, code="never-read"):
@@ -111,7 +111,7 @@ class HeldForever(LintRule, code="held-forever"):
         left = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
         for effect, rule, _ in ctx.reachable_effects(Releases):
             left -= ctx.members(effect.entity, rule)
-        tests = ctx.scenario.expect.values()
+        tests = (test for test, _ in ctx.models if isinstance(test, Expectation))
         on_purpose = {robot for test in tests for robot, is_held in (test.held or {}).items() if is_held}
         for held, rule, path in ctx.reachable_effects(Holds):
             robots = () if held.for_a_time else sorted(ctx.members(held.names, rule) & left)

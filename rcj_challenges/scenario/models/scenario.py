@@ -259,6 +259,10 @@ class Given(Strict):
     )
 
 
+Ranking = Annotated[
+    tuple[Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)], ...],
+    Field(strict=False, min_length=1),
+]
 ToldNumbers = Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]
 """A position as sent to programs."""
 
@@ -307,14 +311,7 @@ class Expectation(Strict):
         {}, "flags at the end; for a per-entity flag, whether any is set, or {entity: true or false, …}"
     )
     phase: Annotated[Name | None, PHASE] = described(None, "the phase at the end")
-    ranking: Annotated[
-        Annotated[
-            tuple[Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)], ...],
-            Field(strict=False, min_length=1),
-        ]
-        | None,
-        ENTRANT,
-    ] = described(
+    ranking: Annotated[Ranking | None, ENTRANT] = described(
         None,
         "all entrants, best first, as `result` would rank them if the match were over; entrants in a list "
         "share a place",
@@ -345,6 +342,32 @@ class Expectation(Strict):
     tolerance_m: float = described(0.001, "largest permitted deviation of a pose in m", ge=0)
     tolerance_counters: float | None = described(
         None, "largest permitted deviation of a counter, such as one that stores a time; if omitted: none", ge=0
+    )
+
+
+class MatchExpectation(Strict):
+    """A test of several halves in a row, in which seats change and scores are carried over as in a match."""
+
+    seed: int = described(1, "seed of the draws", ge=0)
+    halves: tuple[Expectation, ...] = Field(
+        ...,
+        strict=False,
+        min_length=1,
+        max_length=MAX_ROWS,
+        description="the halves, each a test of its own by the seats in that half, without seed, half and ranking; "
+        "each but the last is over after lasts_s",
+    )
+    score: Annotated[dict[Name, float], _SCORES] = described(
+        {}, "score at the end by team, which is named by its seat in the first half"
+    )
+    counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
+        {}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}"
+    )
+    tolerance_counters: float | None = described(
+        None, "largest permitted deviation of a counter; if omitted: none", ge=0
+    )
+    ranking: Annotated[Ranking | None, ENTRANT] = described(
+        None, "all teams, best first, as `result` ranks them; teams in a list share a place"
     )
 
 
@@ -394,7 +417,7 @@ class Scenario(Strict):
     broadcast: Broadcast | None = described(None, "what programs receive in addition to the official packet")
     result: Result = described(Result.model_construct(), "how entrants are ranked")
     limits: Limits = described(Limits.model_construct(), "how much time, memory and disk space a program may use")
-    expect: dict[Name, Expectation] = described(
+    expect: dict[Name, Expectation | MatchExpectation] = described(
         {},
         "tests of the rules, each named after what must happen; `inherited: null` removes those of the base scenario",
     )
