@@ -3,7 +3,8 @@
 ``sensors/half-1.sensors`` is a file of chunks (`chunks`). Its header lists the devices of each robot. The head of a
 chunk has the number of rows of each robot and the printed text; its bytes are each robot's rows of `row_dtype`, column
 by column of bytes: bytes of one place change little from row to row, so they pack well. Numbers are the float64 that
-the program got, bit for bit.
+the program got, bit for bit. After the rows stand the packets of cameras (`devices.camera`), which the head lists as
+robot, tick, number of the camera or of its recognition, and size.
 
 A kill loses the last `TICKS_PER_CHUNK` at most, and no file grows beyond `MAX_BYTES_A_HALF`: what comes later is left
 out, and the recording says from which tick on.
@@ -23,6 +24,7 @@ import numpy.typing as npt
 
 from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
 from rcj_challenges.devices import device_of_class
+from rcj_challenges.devices.camera import RECOGNITION
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SENSORS
@@ -45,6 +47,8 @@ DAMAGE = (OSError, ValueError, KeyError, TypeError, AttributeError, IndexError, 
 """Exceptions of json, numpy and arithmetic on an invalid file."""
 
 Array = npt.NDArray[Any]
+Picture = tuple[int, int, bytes]
+"""A packet of a camera: the tick of the observation, the number of the camera or of its recognition, its bytes."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,11 @@ class SensedRobot:
     def motors(self) -> tuple[DeviceSpec, ...]:
         """Its motors, in order."""
         return tuple(device for device in self.devices if "motors" in device_of_class(device.kind).ACCEPTS)
+
+    @property
+    def cameras(self) -> tuple[DeviceSpec, ...]:
+        """Its cameras, in order."""
+        return tuple(device for device in self.devices if device.kind == "camera")
 
     @classmethod
     def of(cls, spec: RobotSpec, ball_receivers: Sequence[str], balls: int) -> Self:
@@ -114,6 +123,8 @@ class _Rows:
         self._values: list[float] = [math.nan] * robot.values
         self._received: list[float] = list(_NO_PACKET * robot.packets)
         self._rows = bytearray()
+        self._cameras = {device.index + extra for device in robot.cameras for extra in (0, RECOGNITION)}
+        self._pictures: list[Picture] = []
         self.is_sensed = bool(robot.devices)
         self.printed_bytes_left = MAX_PRINTED_BYTES
         self.tick = 0
@@ -127,6 +138,12 @@ class _Rows:
             for packet in received[-self._packets :]:
                 numbers += (packet.strength, *packet.direction)
             self._received = numbers
+        if self._cameras:
+            self._pictures += [
+                (self.tick, packet.device, packet.data)
+                for packet in observation.packets
+                if packet.device in self._cameras
+            ]
 
     def record_action(self, motors: Sequence[MotorCommand]) -> bytes:
         for command in motors:
@@ -143,6 +160,11 @@ class _Rows:
         planes = np.frombuffer(bytes(self._rows), np.uint8).reshape(count, self._bytes_per_row).T.tobytes()
         self._rows.clear()
         return count, planes
+
+    def take_pictures(self) -> list[Picture]:
+        """Return the packets of cameras, those of one camera after each other, and forget them."""
+        pictures, self._pictures = sorted(self._pictures, key=lambda one: one[1]), []
+        return pictures
 
 
 class SensorWriter:
@@ -201,9 +223,12 @@ class SensorWriter:
 
     def _write(self) -> None:
         parts = [rows.take() for rows in self._rows]
+        pictures = [(robot, *picture) for robot, rows in enumerate(self._rows) for picture in rows.take_pictures()]
         if not self._is_full and (self._output or any(count for count, _ in parts)):
             head = {"rows": [count for count, _ in parts], "output": self._output}
-            chunk = self._file.pack(head, b"".join(planes for _, planes in parts))
+            if pictures:
+                head["pictures"] = [(robot, tick, number, len(data)) for robot, tick, number, data in pictures]
+            chunk = self._file.pack(head, b"".join([*(planes for _, planes in parts), *(one[3] for one in pictures)]))
             if self._file.size_bytes + len(chunk) > MAX_BYTES_A_HALF:
                 self._is_full = True
                 full_at = max((rows.tick for rows in self._rows), default=0)
@@ -225,6 +250,7 @@ class SensorTrack:
         packets: ``[N, packets, 4]``, strength and direction of the ball's packets, the newest last.
         motors: ``[N, motors]``, velocities in rad/s that it set on the observation.
         output: printed text, with the tick of the observation before.
+        pictures: the packets of its cameras, those of one after each other within 4 s.
     """
 
     robot: SensedRobot
@@ -233,6 +259,7 @@ class SensorTrack:
     packets: Array
     motors: Array
     output: tuple[tuple[int, str], ...]
+    pictures: tuple[Picture, ...] = ()
 
     def readings(self, device: str) -> Array:
         """Return the numbers of one device, ``[N, width]``.
@@ -287,6 +314,7 @@ def _read(path: Path) -> SensorHalf:
     dtypes = [row_dtype(robot) for robot in robots]
     rows: list[list[Array]] = [[np.zeros(0, dtype)] for dtype in dtypes]
     output: list[list[tuple[int, str]]] = [[] for _ in robots]
+    pictures: list[list[Picture]] = [[] for _ in robots]
     full_at: int | None = None
     for head, body in found.chunks:
         at = 0
@@ -295,14 +323,17 @@ def _read(path: Path) -> SensorHalf:
             planes = np.frombuffer(body[at : at + size], np.uint8).reshape(dtype.itemsize, count)
             blocks.append(np.ascontiguousarray(planes.T).view(dtype)[:, 0])
             at += size
+        for robot, tick, number, size in head.get("pictures", ()):
+            pictures[robot].append((int(tick), int(number), body[at : at + size]))
+            at += size
         for robot, tick, text in head["output"]:
             output[robot].append((int(tick), str(text)))
         full_at = int(head["full_at"]) if "full_at" in head else full_at
     tracks = {}
-    for robot, blocks, printed in zip(robots, rows, output, strict=True):
+    for robot, blocks, printed, taken in zip(robots, rows, output, pictures, strict=True):
         every = np.concatenate(blocks)
         tick, values, packets, motors = (np.ascontiguousarray(every[name]) for name in every.dtype.names or ())
-        tracks[robot.name] = SensorTrack(robot, tick, values, packets, motors, tuple(printed))
+        tracks[robot.name] = SensorTrack(robot, tick, values, packets, motors, tuple(printed), tuple(taken))
     return SensorHalf(int(found.header["half"]), tracks, full_at, found.is_cut_off or found.is_damaged)
 
 

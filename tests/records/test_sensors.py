@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, Packet, RobotSpec
+from rcj_challenges.devices.camera import RECOGNITION
 from rcj_challenges.records import sensors
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter, read_sensors
@@ -190,3 +191,23 @@ def test_without_sensors_only_what_is_printed_is_recorded(tmp_path: Path) -> Non
     assert not half.has_readings
     assert half.robots["B1"].output == ((0, "ready\n"), (100, "line 100\n"), (200, "line 200\n"), (300, "line 300\n"))
     assert len(half.robots["B1"].ticks) == 0
+
+
+def test_packets_of_cameras_are_read_back_byte_for_byte(tmp_path: Path) -> None:
+    eyes = tuple(DeviceSpec(name, "camera", index, -1, 0) for index, name in ((6, "front"), (7, "rear")))
+    seeing = SensedRobot.of(RobotSpec("B1", (*DEVICES, *eyes), 4, "bytes"), [], 1)
+    writer = SensorWriter(tmp_path, 1, [robot("Y1"), seeing])
+    sent = []
+    for tick in range(1, 301):
+        packets = [Packet(number, bytes((tick % 256, number % 256)) * number, 0.0, (0.0, 0.0, 0.0))
+                   for number in (6, 7) if tick % 3 == 0]  # fmt: skip
+        packets += [Packet(6 + RECOGNITION, b"", 0.0, (0.0, 0.0, 0.0))] if tick % 50 == 0 else []
+        sent += [(tick, packet.device, packet.data) for packet in packets]
+        for number in range(2):
+            writer.record_observation(number, saw(tick, packets=packets if number else None))
+            writer.record_action(number, [])
+    writer.close()
+    tracks = read_sensors(tmp_path)[1].robots
+    assert sorted(tracks["B1"].pictures) == sorted(sent)
+    assert tracks["Y1"].pictures == ()
+    assert len(tracks["B1"].ticks) == len(tracks["Y1"].ticks) == 300

@@ -6,6 +6,7 @@ import zlib
 from typing import Any
 
 from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, Packet
+from rcj_challenges.devices.camera import RECOGNITION, SEEN
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from tests.hostile.archives.pictures import PNG, chunk
 
@@ -24,6 +25,8 @@ DEVICES = (
         "lidar", "lidar", 7, 8, 360,
         {"first_bearing_rad": 0.0, "bearing_step_rad": -math.pi / 180, "max_range": 3.0},
     ),
+    DeviceSpec("eye", "camera", 8, -1, 0, {"width": 8, "height": 6}),
+    DeviceSpec("light", "led", 9, -1, 0, {"unit": "", "max_velocity": 2.0, "colours": ["red", "lime"]}),
 )  # fmt: skip
 SENSED = [SensedRobot(name, DEVICES, 368, ("ball receiver",), 1) for name in ("B1", "Y2")]
 
@@ -35,6 +38,15 @@ RANGES = [0.0 if cell < 90 else math.inf if cell < 180 else 0.5 + 0.001 * cell f
 def values_at(tick: int) -> list[float]:
     """Return all numbers of the devices: a wheel that turns by 5 rad/s, a compass that is off, a lidar."""
     return [0.032 * 5 * tick, 0.1234, -0.0001 * tick, 0.0375, 250.0 + tick, *[math.nan] * 3, *RANGES]
+
+
+def camera_packets(tick: int) -> list[Packet]:
+    """Return a picture that is green, or blue from tick 60 on, and a ball that is recognized; every 3 ticks."""
+    if tick % 3:
+        return []
+    picture = bytes((2, 0, 128, 0, 0, 0, 255)) + bytes(48 * [int(tick >= 60)])
+    ball = SEEN.pack(7, 1, 255, 0, 0, 0.3, 0.0, -0.04, 0.0, 0.042, 0.042, 2, 3, 4, 2)
+    return [Packet(number, data, 0.0, (0.0, 0.0, 0.0)) for number, data in ((8, picture), (8 + RECOGNITION, ball))]
 
 
 def printed_at(tick: int) -> str:
@@ -49,8 +61,11 @@ def sense(writer: SensorWriter, tick: int) -> None:
             writer.record_action(robot, [MotorCommand(0, 3.0, math.inf)], "ready\n")
             continue
         heard = [Packet(6, b"x", 4.0, (1.0, 0.0, -0.1))] if tick % 2 else []
-        writer.record_observation(robot, Observation(tick, values_at(tick), heard))
-        writer.record_action(robot, [MotorCommand(1, -float(tick % 8), math.inf)], "" if robot else printed_at(tick))
+        writer.record_observation(robot, Observation(tick, values_at(tick), heard + camera_packets(tick)))
+        light = MotorCommand(9, float(tick // 100), math.inf)
+        writer.record_action(
+            robot, [MotorCommand(1, -float(tick % 8), math.inf), light], "" if robot else printed_at(tick)
+        )
 
 
 def logo(red: int) -> bytes:

@@ -244,6 +244,25 @@ def test_readings_and_rays_are_those_of_the_moment(show: Callable[..., Any], run
     assert page.locator(".sensing:visible").count() == 0
 
 
+def test_pictures_and_lights_are_those_of_the_moment(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t125")
+    page.click("#tab-robots")
+    for tick, colour, light in ((30, [0, 128, 0], None), (125, [0, 0, 255], [1, 0, 0]), (250, [0, 0, 255], [0, 1, 0])):
+        _go(page, 1, tick)
+        until(page, "document.querySelectorAll('.camera canvas').length == 2")
+        settled(page)
+        seen = page.evaluate(
+            """() => {
+              const pen = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+              pen.drawImage(document.querySelector(".camera canvas"), 0, 0);
+              return [[1, 1], [8, 16]].map(([x, y]) => [...pen.getImageData(x, y, 1, 1).data].slice(0, 3));
+            }"""
+        )
+        assert seen == [colour, [255, 255, 255]]  # the second is on the box around the ball
+        lights = page.evaluate("replay.app.frame.lights.map(({ index, colour }) => [index, colour])")
+        assert lights == ([] if light is None else [[0, light], [4, light]])
+
+
 # --- playing -----------------------------------------------------------------------------------------------------------
 
 

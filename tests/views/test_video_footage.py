@@ -10,6 +10,7 @@ from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.views.video.footage import Footage
 from tests.made_up_runs import made_up_snapshot, small_scenario, write_made_up_run, write_run
+from tests.views.replay_play import write_storied_run
 
 BALL = 6
 
@@ -39,3 +40,22 @@ def test_placements_at_kick_off_hold_from_the_first_picture_on(tmp_path):
     assert np.isnan(start[0]).all()
     assert np.isnan(half.poses_at(0.004)[0]).all()
     assert np.isnan(half.smoothed(0, 0.0, 0.01)).all()
+
+
+def test_lights_and_pictures_are_those_of_the_moment(tmp_path):
+    footage = Footage.open(write_storied_run(tmp_path))
+    half = footage.halves[0]
+    for tick, colour, lights in ((30, (0, 128, 0), []), (125, (0, 0, 255), [(0, "red"), (4, "red")])):
+        (picture,) = footage.pictures(half, "B1", tick * TICK_S)
+        assert (picture.size, picture.getcolors()) == ((8, 6), [(48, colour)])
+        assert [(one.entity, one.colour) for one in footage.lights(half, tick * TICK_S)] == lights
+    assert footage.pictures(half, "B2", 4.0) == []
+    assert footage.pictures(footage.halves[1], "B1", 1.0) == []
+
+
+def test_a_damaged_sensor_recording_leaves_the_rest(tmp_path):
+    folder = write_storied_run(tmp_path)
+    (folder / "sensors" / "half-1.sensors").write_bytes(b"{}\n")
+    footage = Footage.open(folder)
+    assert footage.warnings
+    assert footage.lights(footage.halves[0], 4.0) == []

@@ -23,7 +23,7 @@ from rcj_challenges.tournament.site.public import public_facts, read_replay
 from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree, fingerprint
 from rcj_challenges.views.replay.page import page_text
-from rcj_challenges.views.replay.sensor_blocks import output_block, sensor_block, sensor_facts
+from rcj_challenges.views.replay.sensor_blocks import output_block, picture_blocks, sensor_block, sensor_facts
 
 _MAX_REPORT_FILES = 200
 
@@ -131,6 +131,7 @@ def _sensing(facts: dict[str, Any], record: Path, robots: Collection[tuple[int, 
             if own.has_readings:
                 facts["sensors"][str(number)] = sensor_facts(own)
                 blocks[f"sensors-{number}"] = sensor_block(own)
+                blocks |= picture_blocks(own)
     return blocks
 
 

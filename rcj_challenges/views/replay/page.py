@@ -26,7 +26,7 @@ from rcj_challenges.views.naming import titles
 from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.replay.events import EventFacts, half_facts
 from rcj_challenges.views.replay.packing import Frames, frames_of, length_unit, packed, units
-from rcj_challenges.views.replay.sensor_blocks import output_block, sensor_block, sensor_facts
+from rcj_challenges.views.replay.sensor_blocks import output_block, picture_blocks, sensor_block, sensor_facts
 from rcj_challenges.views.replay.things import bodies_in, visible_things
 from rcj_challenges.views.scoreboard import ranking_rows
 from rcj_challenges.views.timeline import HalfTimeline, timeline_of
@@ -34,7 +34,7 @@ from rcj_challenges.views.timeline import HalfTimeline, timeline_of
 SCRIPTS = (
     "element", "maths", "colourMaths", "recording", "embedded", "mesh", "ground", "bodies", "overlays",
     "painter", "scene", "canvas2d", "camera", "pointerInput", "labels", "board", "player", "transport",
-    "eventlist", "robotlist", "sensors", "output", "heat", "logos", "panels", "app", "start",
+    "eventlist", "robotlist", "pictures", "sensors", "output", "heat", "logos", "panels", "app", "start",
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 
@@ -98,6 +98,7 @@ def _sensor_blocks(facts: dict[str, Any], folder: Path) -> dict[str, str]:
             if half.has_readings:
                 facts["sensors"][str(number)] = sensor_facts(half)
                 blocks[f"sensors-{number}"] = sensor_block(half)
+                blocks |= picture_blocks(half)
             if half.damaged:
                 which = f"{facts['period']} {number}"
                 facts["problem"] += f" The sensor recording of {which} is damaged: its beginning is shown."

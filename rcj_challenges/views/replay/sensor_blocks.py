@@ -1,7 +1,9 @@
 """Sensor recordings for the page: readings rounded to what can be seen, packed, and what programs printed.
 
 A block has, for each robot and each of its columns, first the ticks, int32 differences as four planes of bytes, lowest
-first; the page undoes it in ``viewer/sensors.js``. The exact numbers are in the record (``records/sensors.py``).
+first; the page undoes it in ``viewer/sensors.js``. Packets of cameras stand in blocks of some seconds each: the size of
+a head of JSON, the head, the packets (``viewer/pictures.js``). The exact numbers are in the record
+(``records/sensors.py``).
 """
 
 from __future__ import annotations
@@ -10,6 +12,8 @@ import base64
 import json
 import zlib
 from collections.abc import Iterator
+from itertools import groupby
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,6 +27,9 @@ from rcj_challenges.records.sensors import FLOATS_PER_PACKET, SensedRobot, Senso
 STRENGTH, DIRECTION, VELOCITY_RADPS = 1e-2, 1e-4, 1e-3
 
 NAN, INFINITE, MINUS_INFINITE = -(2**31), 2**31 - 1, -(2**31) + 1
+PICTURE_TICKS = 500
+"""16 s: what six cameras take in that time is 3 MB when it is unpacked."""
+
 _LARGEST = 2**31 - 2
 _ZLIB_LEVEL = 6
 
@@ -48,6 +55,7 @@ def sensor_facts(half: SensorHalf) -> dict[str, Any]:
     return {
         "robots": [robot_facts(track.robot) | {"rows": len(track.ticks)} for track in half.robots.values()],
         "full_at": half.full_at,
+        "picture_ticks": PICTURE_TICKS,
         "damaged": half.damaged,
     }
 
@@ -60,6 +68,25 @@ def sensor_block(half: SensorHalf) -> str:
         parts.append(packer.compress(_planes(track.ticks.astype(np.int64))))
         parts += [packer.compress(_planes(whole_numbers(*column))) for column in _columns(track)]
     return base64.b64encode(b"".join([*parts, packer.flush()])).decode("ascii")
+
+
+def picture_blocks(half: SensorHalf) -> dict[str, str]:
+    """Return the packets of all cameras in blocks by id; each begins with what was there before."""
+    entries = sorted(
+        (tick // PICTURE_TICKS, name, number, tick, data)
+        for name, track in half.robots.items()
+        for tick, number, data in track.pictures
+    )
+    newest: dict[tuple[str, int], tuple[int, bytes]] = {}
+    blocks = {}
+    for block, some in groupby(entries, key=itemgetter(0)):
+        held = [(name, number, *one) for (name, number), one in newest.items()]
+        held += [(name, number, tick, data) for _, name, number, tick, data in some]
+        newest |= {(name, number): (tick, data) for name, number, tick, data in held}
+        head = json.dumps([(name, number, tick, len(data)) for name, number, tick, data in held]).encode("ascii")
+        body = b"".join([len(head).to_bytes(4, "little"), head, *(data for *_, data in held)])
+        blocks[f"pictures-{half.half}-{block}"] = base64.b64encode(zlib.compress(body, _ZLIB_LEVEL)).decode("ascii")
+    return blocks
 
 
 def output_block(half: SensorHalf) -> str:
@@ -86,6 +113,10 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
         ],
         "packets": robot.packets,
         "motors": [[device.name, device.facts.get("unit", "rad/s")] for device in robot.motors],
+        "lights": [device.facts.get("colours") for device in robot.motors],
+        "cameras": [
+            [device.index, device.name, device.facts["width"], device.facts["height"]] for device in robot.cameras
+        ],
     }
 
 

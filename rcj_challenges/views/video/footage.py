@@ -5,17 +5,20 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+from PIL import Image
 
 from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
+from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.run_record import read_run
+from rcj_challenges.records.sensors import DAMAGE, SensorHalf, SensorTrack, read_sensors
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -91,6 +94,15 @@ class HalfFootage:
         return (float(poses[:, 0].mean()), float(poses[:, 1].mean()), yaw_rad)
 
 
+class Light(NamedTuple):
+    """A light that is lit: index of its robot, its place among so many in a row, and its colour."""
+
+    entity: int
+    at: int
+    of: int
+    colour: str
+
+
 @dataclass(frozen=True)
 class Footage:
     """All of a run that can be shown; things and events are as on the replay page."""
@@ -103,6 +115,7 @@ class Footage:
     events: list[dict[str, Any]]
     titles: Mapping[str, str]
     warnings: tuple[str, ...] = ()
+    sensors: Mapping[int, SensorHalf] = field(default_factory=dict)
 
     @classmethod
     def open(cls, folder: Path) -> Footage:
@@ -114,6 +127,10 @@ class Footage:
         run = read_run(folder)
         timeline = timeline_of(run.scenario, run.halves, run.shown_log)
         names = titles(run.scenario, run.result)
+        try:
+            sensors, warnings = read_sensors(folder), run.problems
+        except (RecordError, *DAMAGE) as error:
+            sensors, warnings = {}, (*run.problems, f"the sensor recording is damaged and not shown: {error}")
         return cls(
             scenario=run.scenario,
             roster=Roster.of(run.scenario),
@@ -122,7 +139,8 @@ class Footage:
             timeline=timeline,
             events=EventFacts(run.scenario, names).of_timeline(timeline),
             titles=names,
-            warnings=run.problems,
+            warnings=warnings,
+            sensors=sensors,
         )
 
     def dressed(self, half: int) -> Footage:
@@ -157,6 +175,39 @@ class Footage:
             return tuple(lines.values())
         return tuple(f"{self.titles[team]}: {line}" for team, line in lines.items() if team in self.titles)
 
+    def lights(self, half: HalfFootage, t_s: float) -> list[Light]:
+        """Return the lights of robots that are lit at a time of a half."""
+        found = []
+        for index, entity in enumerate(self.things["entities"]):
+            if (seen := self._sensed(half, entity["name"], t_s)) is not None:
+                track, row = seen
+                lights = [(at, one) for at, one in enumerate(track.robot.motors) if one.kind == "led"]
+                for place, (at, one) in enumerate(lights):
+                    lit = np.nan_to_num(track.motors[row, at])
+                    if 1 <= lit <= len(one.facts["colours"]):
+                        found.append(Light(index, place, len(lights), one.facts["colours"][int(lit) - 1]))
+        return found
+
+    def pictures(self, half: HalfFootage, robot: str, t_s: float) -> list[Image.Image]:
+        """Return what the cameras of a robot took last at a time of a half."""
+        seen = self._sensed(half, robot, t_s)
+        if seen is None:
+            return []
+        track, row = seen
+        newest = {number: data for tick, number, data in track.pictures if tick <= track.ticks[row]}
+        return [
+            _picture(newest[camera.index], camera.facts["width"], camera.facts["height"])
+            for camera in track.robot.cameras
+            if camera.index in newest
+        ]
+
+    def _sensed(self, half: HalfFootage, robot: str, t_s: float) -> tuple[SensorTrack, int] | None:
+        """Return what was recorded of a robot, and the row of its last observation at a time of a half."""
+        recorded = self.sensors.get(half.info.half)
+        track = recorded.robots.get(robot) if recorded else None
+        row = -1 if track is None else int(np.searchsorted(track.ticks, half.tick_at(t_s), "right")) - 1
+        return None if track is None or row < 0 else (track, row)
+
     def recent_event(self, half: HalfFootage, t_s: float, for_s: float) -> dict[str, Any] | None:
         """Return the newest event within ``for_s`` before a time of a half, one that scored before all others."""
         tick = half.tick_at(t_s)
@@ -171,6 +222,13 @@ class Footage:
         """Return colour and letter of the seat from which a team plays a half, as on the replay page."""
         seat = next((seat for seat, playing in half.info.teams.items() if playing == team), None)
         return next((one for one in self.things["seats"] if one["name"] == seat), {"colour": "grey", "letter": ""})
+
+
+def _picture(data: bytes, width: int, height: int) -> Image.Image:
+    """Return the picture in a camera's packet."""
+    picture = Image.frombytes("P", (width, height), data[1 + 3 * data[0] :])
+    picture.putpalette(data[1 : 1 + 3 * data[0]])
+    return picture.convert("RGB")
 
 
 def _latest(changes: Iterable[Sequence[Any]], tick: int, start: dict[str, Any]) -> dict[str, Any]:

@@ -67,6 +67,8 @@ def opened_renderer(footage: Footage, size: tuple[int, int], camera: str, *, fin
         frame = Image.new("RGB", size, PALETTE["outside"]["light"])
         frame.paste(renderer.draw(moment), (0, overlay.height))
         overlay.write(frame, moment)
+        if chosen.kind == "behind":
+            overlay.add_pictures(frame, moment, footage.roster.entities[chosen.entity])
         return frame
 
     try:

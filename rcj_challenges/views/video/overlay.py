@@ -55,6 +55,18 @@ class Overlay:
             frame.paste(label, (self._gap, top), label)
             top += label.height + self._gap // 4
 
+    def add_pictures(self, frame: Image.Image, moment: Moment, robot: str) -> None:
+        """Show what the cameras of a robot took last, one below the other at the right edge."""
+        top, width = self.height + self._gap, frame.width // 5
+        for picture in self._footage.pictures(moment.half, robot, moment.t_s):
+            shown = picture.resize((width, width * picture.height // picture.width), Image.Resampling.NEAREST)
+            frame.paste(
+                DARK,
+                (frame.width - width - self._gap - 2, top - 2, frame.width - self._gap + 2, top + shown.height + 2),
+            )
+            frame.paste(shown, (frame.width - width - self._gap, top))
+            top += shown.height + self._gap
+
     def _draw_bar(self, half: int, scores: tuple[tuple[str, float], ...], speed: float) -> Image.Image:
         bar = Image.new("RGB", (self._size[0], self.height), BAR)
         info = self._footage.half(half).info

@@ -9,11 +9,13 @@ import mujoco
 import numpy as np
 from PIL import Image
 
+from rcj_challenges.views.palette import rgb
 from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.footage import Footage, Poses
 from rcj_challenges.views.video.scene import FLOOR_BODY, build_scene
 
+_LIGHT_M = 0.004
 _HIDDEN_M = 1000.0
 """What is off the field is put here, beyond what the camera sees."""
 
@@ -62,9 +64,29 @@ class SceneRenderer:
         mujoco.mj_kinematics(self._model, self._data)
         mujoco.mj_camlight(self._model, self._data)
         self._renderer.update_scene(self._data, state, self._option)
+        self._add_lights(moment, poses)
         for flag in (mujoco.mjtRndFlag.mjRND_SHADOW, mujoco.mjtRndFlag.mjRND_REFLECTION):
             self._renderer.scene.flags[flag] = False
         return Image.fromarray(self._renderer.render())
+
+    def _add_lights(self, moment: Moment, poses: Poses) -> None:
+        """Add the lights of robots that are lit, in a row behind the number."""
+        scene = self._renderer.scene
+        for light in self._footage.lights(moment.half, moment.t_s):
+            facts, (x_m, y_m, yaw_rad, z_m) = self._entities[light.entity], poses[light.entity].tolist()
+            if math.isnan(x_m) or scene.ngeom >= scene.maxgeom:
+                continue
+            size_m, front = facts["size_m"], facts["front"]
+            ahead, left = -0.44 * size_m * front, ((light.of - 1) / 2 - light.at) * 0.16 * size_m * front
+            cos, sin = math.cos(yaw_rad), math.sin(yaw_rad)
+            at_m = (x_m + cos * ahead - sin * left, y_m + sin * ahead + cos * left, z_m + facts["height_m"] / 2 + 0.002)
+            rgba = np.array([*(part / 255 for part in rgb(light.colour)), 1.0], np.float32)
+            geom = scene.geoms[scene.ngeom]
+            mujoco.mjv_initGeom(
+                geom, mujoco.mjtGeom.mjGEOM_SPHERE, np.full(3, _LIGHT_M), np.array(at_m), np.eye(3).ravel(), rgba
+            )
+            geom.emission = 0.25  # with the light of the scene about its own colour
+            scene.ngeom += 1
 
     def close(self) -> None:
         """Free the graphics context."""

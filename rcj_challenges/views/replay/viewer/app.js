@@ -255,6 +255,7 @@ class App {
       trails: [...this.robots.trailsAt(place, this.panels.trailSeconds), ...this.sensors.raysAt(place, this.panels.shown.rays)],
       heat: this.heat.at(place),
       logos: this.logos.at(place),
+      lights: this.sensors.lightsAt(place),
       show: this.shownNow,
       failed,
       background: PALETTE.outside[this.panels.themeNow],

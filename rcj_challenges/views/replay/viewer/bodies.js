@@ -69,6 +69,11 @@ const Bodies = {
     return mesh;
   },
 
+  /** Where one of a robot's lights is, in its frame: in a row behind its number. */
+  light(entity, { at, of }) {
+    return [-0.44 * entity.size_m * entity.front, (((of - 1) / 2 - at) * 0.16 * entity.size_m) * entity.front];
+  },
+
   ball(entity) {
     const colour = Colours.rgb(entity.colour);
     return new Mesh().sphere(entity.radius_m, [colour, Colours.mix(colour, [1, 1, 1], 0.55)]);

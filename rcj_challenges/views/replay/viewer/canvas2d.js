@@ -36,6 +36,11 @@ class Canvas2d {
     this.shadows = frame.show.shadows;
     this.facts.fixed.forEach((thing) => this.thing(thing, { x: thing.centre_m?.[0] ?? 0, y: thing.centre_m?.[1] ?? 0, yaw: thing.yaw_rad || 0 }));
     this.facts.entities.forEach((entity, index) => this.thing(entity, frame.poses[index], frame.failed.has(index), frame.logos[index]));
+    for (const light of frame.lights) {
+      const { x, y, yaw } = frame.poses[light.index], [ahead, left] = Bodies.light(this.facts.entities[light.index], light);
+      const at = [x + Math.cos(yaw) * ahead - Math.sin(yaw) * left, y + Math.sin(yaw) * ahead + Math.cos(yaw) * left];
+      this.shape({ points: Mesh.circle(...at, LIGHT_M, 16), fill: light.colour, alpha: 1 });
+    }
   }
 
   /** The 2-D matrix of a camera that looks straight down. */

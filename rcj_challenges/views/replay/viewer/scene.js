@@ -2,6 +2,7 @@
 
 const LIGHT = Maths.unit([-0.35, 0.25, 0.9]);
 const GLASS = 0.34;
+const LIGHT_M = 0.004;
 const TRAIL_OPACITY = 0.75;
 const SHADOW_OPACITY = 0.5;
 
@@ -93,6 +94,7 @@ class Scene {
     this.drawFloor(frame);
     painter.solid();
     painter.draw("lit", this.bodies);
+    this.drawLights(frame);
     painter.glass();
     painter.draw("lettered", this.numbers);
     painter.panes(this.panes, GLASS);
@@ -113,6 +115,17 @@ class Scene {
       else Maths.pose(pose.x, pose.y, pose.z, pose.yaw, pose.tilt, block, at);
       block[FAR_OFF.shades + 4 * (index + 1)] = frame.failed.has(index) ? 0.7 : 0;
     }
+  }
+
+  /** Lights shine: their colours are not darkened by what they are turned to. */
+  drawLights({ lights, poses }) {
+    const mesh = new Mesh();
+    for (const light of lights) {
+      const entity = this.facts.entities[light.index], { x, y, z, yaw } = poses[light.index];
+      const [ahead, left] = Bodies.light(entity, light), c = Math.cos(yaw), s = Math.sin(yaw);
+      mesh.cylinder([x + c * ahead - s * left, y + s * ahead + c * left, z + entity.height_m / 2 + 0.002], LIGHT_M, 0.004, [0, 0, 1], light.colour);
+    }
+    this.painter.drawOnce(mesh, 1);
   }
 
   drawFloor(frame) {

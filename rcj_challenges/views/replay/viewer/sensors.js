@@ -12,6 +12,7 @@ class Sensors {
     this.facts = recording.facts.sensors || {};
     this.blocks = new Map();
     this.rays = new Set();
+    this.pictures = new Pictures(changed);
     this.cards = [];
     this.shownAt = 0;
     this.box = find("show").querySelector("input[name=rays]");
@@ -133,7 +134,10 @@ class Sensors {
     for (const card of this.cards) {
       const seen = this.observation(card.index, place);
       card.box.hidden = !seen;
-      if (seen) this.showReadings(card, seen);
+      if (!seen) continue;
+      this.showReadings(card, seen);
+      const { half } = this.recording.at(place).track.facts;
+      this.pictures.show(card, half, seen.robot.facts, seen.tick, this.facts[half].picture_ticks);
     }
   }
 
@@ -176,6 +180,23 @@ class Sensors {
   static lidarText(ranges) {
     const seen = ranges.filter((range) => Number.isFinite(range) && range > 0);
     return seen.length ? `${Math.min(...seen).toFixed(3)} to ${Math.max(...seen).toFixed(3)} m (${ranges.length} rays shown)` : "no ray yet";
+  }
+
+  // --- lights ----------------------------------------------------------------------------------------------------------
+
+  /** The lights of robots that are lit: {index, at, of, colour}; the first of a robot is the leftmost. */
+  lightsAt(place) {
+    if (!this.any) return [];
+    return this.cards.flatMap(({ index }) => {
+      const seen = this.observation(index, place);
+      if (!seen) return [];
+      const { lights = [], motors, units } = seen.robot.facts;
+      const all = lights.flatMap((colours, at) => (colours ? [{ colours, at }] : []));
+      return all.flatMap(({ colours, at }, number) => {
+        const colour = colours[Math.round(seen.value(units.length - motors.length + at)) - 1];
+        return colour ? [{ index, at: number, of: all.length, colour: Colours.rgb(colour) }] : [];
+      });
+    });
   }
 
   // --- rays ------------------------------------------------------------------------------------------------------------
