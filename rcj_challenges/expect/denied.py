@@ -12,7 +12,7 @@ from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Condition, Trigger
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import EACH, OTHER
+from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS
 from rcj_challenges.tracking.bound_rules import Denied
 
 
@@ -110,8 +110,10 @@ def _changes(effect: effects.Effect, wanted: Wanted) -> bool:  # noqa: PLR0911 -
         case effects.Emits(event):
             return event in wanted.missing
         case effects.Scores(entrant):
-            # Each, other and the last to touch something may be any of them.
-            return bool(wanted.scores) and (entrant in (None, EACH, OTHER) or entrant in wanted.scores)
+            # Each, others, other and the last to touch something may be any of them.
+            return bool(wanted.scores) and (
+                entrant in (None, EACH, OTHER, OTHERS, ENTRANTS) or entrant in wanted.scores
+            )
         case effects.Writes(section, name):
             return (section, name) in wanted.entries
         case effects.SetsPhase(phase):

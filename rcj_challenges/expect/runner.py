@@ -234,7 +234,7 @@ def _kept(scenario: Scenario, roster: Roster, given: Given, kept: Mapping[str, A
 def _preset(entry: Counter | Flag, value: Any, roster: Roster) -> Any:
     if isinstance(value, int | float) and entry.per is None:
         return value if isinstance(value, bool) else round_score(value)
-    members = roster.expand(entry.per or ())
+    members = () if entry.per is None else roster.keepers(entry.per)
     found = dict.fromkeys(members, entry.first) | (value if isinstance(value, dict) else dict.fromkeys(members, value))
     return {member: one if one is None or isinstance(one, bool) else round_score(one) for member, one in found.items()}
 

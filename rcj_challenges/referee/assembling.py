@@ -14,6 +14,7 @@ from rcj_challenges.rules.base import Condition
 from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
+from rcj_challenges.scenario.roster import ENTRANTS
 from rcj_challenges.scenario.rule_effects import for_other, names_other
 from rcj_challenges.tracking.bound_rules import BoundRule
 from rcj_challenges.tracking.state import Clock
@@ -50,9 +51,10 @@ def _run_while(condition: Condition, clocks: dict[str | None, Clock], per: str |
 def _members(rule: Rule, context: CompileContext) -> tuple[str | None, ...]:
     if rule.for_each is None:
         return (None,)
-    # Entity order is that of the roster; zones and gates keep the order of their group.
-    index = context.roster.index
-    return tuple(sorted(context.names.members(rule.for_each), key=lambda name: index.get(name, 0)))
+    keepers = context.roster.keepers(rule.for_each)
+    # Entity order is that of the roster; entrants, zones and gates keep the order of their group.
+    index = {} if rule.for_each == ENTRANTS else context.roster.index
+    return tuple(sorted(keepers, key=lambda name: index.get(name, 0)))
 
 
 def _for_others(model: Rule, rule: BoundRule, context: CompileContext) -> list[BoundRule]:
@@ -64,10 +66,12 @@ def _for_others(model: Rule, rule: BoundRule, context: CompileContext) -> list[B
 
 def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext) -> BoundRule:
     keep, most = rule.limit
+    entrant = each if rule.for_each == ENTRANTS else context.state.entrant_of.get(each or "")
     return BoundRule(
         name=name,
         each=each,
-        about=each if each in context.roster.things else None,
+        about=each if entrant != each and each in context.roster.things else None,
+        entrant=entrant,
         phases=None if rule.phases == "any" else frozenset(rule.phases),
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),

@@ -28,7 +28,7 @@ class RuleBinder(NameScope):
 
     def __init__(self, context: CompileContext, rule: BoundRule, for_each: str | None) -> None:
         super().__init__(context.state, context.contacts, rule.each, context.names)
-        self.for_each = for_each
+        self.for_each, self.other = for_each, rule.other
         self._context = context
         self.rule = rule
         self.hits = context.hits

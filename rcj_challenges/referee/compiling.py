@@ -58,11 +58,12 @@ class CompileContext:
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}
         self.names = NameScope(state, self.contacts)
-        self._lengths: dict[tuple[Lasts, str | None], Callable[[Firing], float | None]] = {}
+        self._lengths: dict[tuple[Lasts, str | None, str | None], Callable[[Firing], float | None]] = {}
 
     def set_length(self, timer: str, owner: str | None) -> None:
         """Give a clock of a timer the length that it has by now; without one it runs on."""
-        clock, lasts_s = self.state.timers[timer][owner], self.length_s(self.scenario.timers[timer].lasts_s, owner)
+        clock, written = self.state.timers[timer][owner], self.scenario.timers[timer]
+        lasts_s = self.length_s(written.lasts_s, owner, written.per)
         clock.length_s = LONGEST_S if lasts_s is None else lasts_s
         clock.length = ticks_from_s(clock.length_s)
 
@@ -81,14 +82,15 @@ class CompileContext:
             runs = timer.starts if timer.while_ is None else clock.since is not None
             clock.elapsed, clock.since = 0, self.state.tick if runs else None
 
-    def length_s(self, lasts_s: Lasts | None, owner: str | None = None) -> float | None:
+    def length_s(self, lasts_s: Lasts | None, owner: str | None = None, per: str | None = None) -> float | None:
         """Return the length in s that a timer or a phase has by now; None: it has none."""
         if lasts_s is None:
             return None
-        read = self._lengths.get((lasts_s, owner))
+        read = self._lengths.get((lasts_s, owner, per))
         if read is None:
             scope = NameScope(self.state, self.contacts, owner, self.names)
-            read = self._lengths[lasts_s, owner] = compile_duration(lasts_s, scope, least_s=TICK_S)
+            scope.for_each = per
+            read = self._lengths[lasts_s, owner, per] = compile_duration(lasts_s, scope, least_s=TICK_S)
         return read(NO_FIRING)
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 from rcj_challenges.core.amounts import Score, add_up, clamp_to_max, round_score
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
+from rcj_challenges.scenario.roster import ENTRANTS
 
 
 @dataclass(frozen=True)
@@ -15,10 +16,11 @@ class Tally:
     """The contribution of a finished half to the ranking.
 
     Attributes:
-        counters: by name; kept per entity: by entity.
+        counters: by name; kept per entity: by entity, per entrants: by seat.
         teams: by seat: a counter kept per robot counts for the team whose robot it was in this half.
         time_s: simulated time in s at which it ended.
-        began: what counters marked ``keep: match`` had from the half before: that is counted there.
+        began: what counters marked ``keep: match`` had from the half before, per entrants by team: that is counted
+            there.
     """
 
     counters: Mapping[str, Any]
@@ -40,7 +42,7 @@ def ranked_counters(scenario: Scenario) -> tuple[str, ...]:
 
 def counted_for(scenario: Scenario, team: str, counter: str, halves: Sequence[Tally]) -> Score:
     """Return a team's counters over halves: those of its own robots, or one that all share."""
-    return round_score(add_up(_count(half, counter, _robots(scenario, half, team)) for half in halves))
+    return round_score(add_up(_count(scenario, half, counter, team) for half in halves))
 
 
 def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:
@@ -80,18 +82,17 @@ def _value(
     return round(clamp_to_max(time_s + added), 6)
 
 
-def _robots(scenario: Scenario, half: Tally, team: str) -> tuple[str, ...]:
-    """Return the robots that a team drove in a half."""
-    return tuple(robot for seat, name in half.teams.items() if name == team for robot in scenario.entrants[seat].robots)
+def _count(scenario: Scenario, half: Tally, name: str, team: str) -> Score:
+    """Return the count of a team in a half: of a counter that is kept, what the half adds."""
+    seats = [seat for seat, one in half.teams.items() if one == team]
+    robots = [robot for seat in seats for robot in scenario.entrants[seat].robots]
+    is_of_entrants = scenario.counters[name].per == ENTRANTS
 
+    def of_owners(counted: Score | Mapping[str, Score], owners: Sequence[str]) -> Score:
+        return add_up(counted.get(owner) or 0 for owner in owners) if isinstance(counted, Mapping) else counted or 0
 
-def _count(half: Tally, name: str, robots: tuple[str, ...]) -> Score:
-    """Return the count of a half: of a counter that is kept, what the half adds."""
-
-    def of_the_robots(counted: Score | Mapping[str, Score]) -> Score:
-        return add_up(counted.get(robot) or 0 for robot in robots) if isinstance(counted, Mapping) else counted or 0
-
-    return of_the_robots(half.counters[name]) - of_the_robots(half.began.get(name, 0))
+    now, before = (seats, [team]) if is_of_entrants else (robots, robots)
+    return of_owners(half.counters[name], now) - of_owners(half.began.get(name, 0), before)
 
 
 def sign(criterion: RankByScore | RankByTime | RankByCounter) -> int:

@@ -15,7 +15,7 @@ from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.scenario.models.field import Obstacle, Wall
 from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
-from rcj_challenges.scenario.roster import EACH, with_each
+from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, as_tuple
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
@@ -45,6 +45,7 @@ class NameScope:
         self.state = state
         self.each = each
         self.for_each: str | None = None
+        self.other: str | None = None
         self.contacts = contacts
         self.scenario = state.scenario
         self.roster = state.roster
@@ -59,21 +60,54 @@ class NameScope:
         key = (names, self.each, self.for_each)
         known = self._members.get(key)
         if known is None:
-            named = (self._others() if self.roster.is_others(name) else (name,) for name in with_each(names, self.each))
-            known = self._members[key] = self.roster.expand(tuple(name for several in named for name in several))
+            bound = tuple(one for name in as_tuple(names) for one in self._bound(name) or (name,))
+            known = self._members[key] = self.roster.expand(bound)
         return known
 
-    def _others(self) -> tuple[str, ...]:
-        group = () if self.for_each is None else self.roster.expand(self.for_each)
-        return tuple(name for name in group if name != self.each)
+    def _bound(self, name: str) -> tuple[str, ...]:
+        """Return the things that ``each`` and ``others`` stand for, of entrants their robots; none: another name."""
+        members = self._of_rule(name)
+        return self.roster.robots_of(members) if self.for_each == ENTRANTS else members
+
+    def _of_rule(self, name: str) -> tuple[str, ...]:
+        """Return the members of the rule's group for which ``each`` and ``others`` stand."""
+        if name == EACH and self.each is not None:
+            return (self.each,)
+        if self.for_each is None or not self.roster.is_others(name):
+            return ()
+        return tuple(one for one in self.roster.keepers(self.for_each) if one != self.each)
+
+    def entrants(self, names: Names) -> tuple[str, ...]:
+        found: list[str | None] = []
+        for name in as_tuple(names):
+            if name in self.roster.teams:
+                found.append(name)
+            elif self.for_each == ENTRANTS and (members := self._of_rule(name)):
+                found += members
+            else:
+                robots = self.members((self.other or name) if name == OTHER else name)
+                found += [self.state.entrant_of.get(robot) for robot in robots]
+        return tuple(dict.fromkeys(one for one in found if one is not None))
+
+    def group_of_owners(
+        self, section: str, name: str, names: Names
+    ) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        per = getattr(self.scenario, section)[name].per
+        return self.group(names) if per != ENTRANTS else self.group_of_entrants(names)
+
+    def group_of_entrants(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        entrants = self.entrants(names)
+        return entrants, lambda: entrants
 
     def group(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         members, each = self.members(names), self.each
         if each is None or not (isinstance(names, str) and self.roster.is_others(names)):
             return members, lambda: members
+        is_entrant = self.for_each == ENTRANTS
 
         def on_field() -> tuple[str, ...]:
-            return tuple(name for name in members if self.is_present(name)) if self.is_present(each) else ()
+            is_there = is_entrant or self.is_present(each)
+            return tuple(name for name in members if self.is_present(name)) if is_there else ()
 
         return members, on_field
 
@@ -98,8 +132,12 @@ class NameScope:
             raise ValueError(message)
         return index
 
-    def whose(self, name: str | None) -> str | None:
-        return self.each if name == EACH else name
+    def owners(self, section: str, name: str, names: Names | None) -> tuple[str, ...] | None:
+        per = getattr(self.scenario, section)[name].per
+        if per is None or (names is None and not self.roster.keeps(self.for_each, per)):
+            return None
+        names = EACH if names is None else names
+        return self.entrants(names) if per == ENTRANTS else self.members(names)
 
     def drawn_value(self, value: Scalar) -> Scalar:
         return self.each if value == EACH and self.each is not None else value

@@ -13,10 +13,10 @@ from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import Series, drawable, series_of
-from rcj_challenges.scenario.halves import half_length_s
+from rcj_challenges.scenario.halves import by_seat, by_team, half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, Phase
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import ENTRANTS, Roster
 from rcj_challenges.tracking.bound_rules import RuleHistory
 from rcj_challenges.tracking.state import Clock, Number, RefereeState
 
@@ -72,7 +72,9 @@ class State(RefereeState):
         past = RuleHistory()
         self.anew_in(keep, past.forget_executions)
         if keep == "match":
-            past.executions = self.half.kept.get("executions", {}).get(rule, {}).get(each or "", 0)
+            kept = self.half.kept.get("executions", {}).get(rule)
+            group = self.scenario.rules[rule].for_each
+            past.executions = 0 if kept is None else self._by_seat(kept, group).get(each or "", 0)
             self._histories.setdefault(rule, {})[each or ""] = past
         return past
 
@@ -83,22 +85,30 @@ class State(RefereeState):
             for name, one in getattr(self.scenario, section).items():
                 first = round_score(one.first) if section == "counters" and one.first is not None else one.first
                 self.first.setdefault(section, {})[name] = first
-                initial = first if one.per is None else dict.fromkeys(self._members(one.per), first)
-                value = kept.get(name, initial)
-                values[name] = dict(value) if isinstance(value, dict) else value
+                initial = first if one.per is None else dict.fromkeys(self.roster.keepers(one.per), first)
+                values[name] = self._by_seat(kept[name], one.per) if name in kept else self._by_seat(initial, None)
                 self.anew_in(one.keep, partial(_begin, values, name, initial))
         keeps = {"lowest": min, "highest": max}
         self.keeps = {name: keeps[one.keeps] for name, one in self.scenario.counters.items() if one.keeps is not None}
         kept = self.half.kept.get("timers", {})
         for name, timer in self.scenario.timers.items():
-            members = (None,) if timer.per is None else self._members(timer.per)
+            members = (None,) if timer.per is None else self.roster.keepers(timer.per)
             # How long they are is known when everything is drawn; but for those that go on.
             first = {"length": 0, "since": 0 if timer.starts else None}
-            own = kept.get(name, {})
+            own = self._by_seat(kept[name], timer.per) if name in kept else {}
             self.timers[name] = {member: Clock(**own.get(member or "", first)) for member in members}
 
-    def _members(self, group: str) -> tuple[str, ...]:
-        return self.roster.expand(group)
+    def _by_seat(self, kept: Any, per: str | None) -> Any:
+        """Return what was kept from the half before: what entrants have changes seats with their teams."""
+        if per == ENTRANTS:
+            return by_seat(kept, self.half.teams)
+        return dict(kept) if isinstance(kept, dict) else kept
+
+    def _by_team(self, value: Any, per: str | None) -> Any:
+        """Return what is to be kept for the next half: what entrants have by team."""
+        if per == ENTRANTS:
+            return by_team(value, self.half.teams)
+        return dict(value) if isinstance(value, dict) else value
 
     def decide_draws(self, decided: Mapping[str, Series]) -> None:
         """Draw everything at the start of the half, but for what is decided beforehand or kept from the last half.
@@ -166,26 +176,30 @@ class State(RefereeState):
 
     def kept(self) -> dict[str, dict[str, object]]:
         """Return what is kept for the next half's `HalfInfo.kept`."""
+        rules = self.scenario.rules
+        per_of = {name: timer.per for name, timer in self.scenario.timers.items() if timer.keep == "match"}
         counters: dict[str, object] = {
-            name: dict(value) if isinstance(value, dict) else value
-            for name, value in self.counters.items()
-            if self.scenario.counters[name].keep == "match"
+            name: self._by_team(self.counters[name], counter.per)
+            for name, counter in self.scenario.counters.items()
+            if counter.keep == "match"
         }
         undrawn: dict[str, object] = {
             name: list(left) for name, left in self._undrawn.items() if self.scenario.draws[name].not_again == "match"
         }
         timers: dict[str, object] = {
-            name: {member or "": self._clock_kept(clock) for member, clock in clocks.items()}
+            name: self._by_team({one or "": self._clock_kept(clock) for one, clock in clocks.items()}, per_of[name])
             for name, clocks in self.timers.items()
-            if self.scenario.timers[name].keep == "match"
+            if name in per_of
         }
         executions: dict[str, object] = {
-            rule: {each: past.executions for each, past in pasts.items()} for rule, pasts in self._histories.items()
+            rule: self._by_team({each: past.executions for each, past in pasts.items()}, rules[rule].for_each)
+            for rule, pasts in self._histories.items()
         }
         return {
             "draws": {name: self.draws[name] for name, draw in self.scenario.draws.items()
                       if draw.keep == "match" and name in self.draws},
-            "flags": {name: self.flags[name] for name, flag in self.scenario.flags.items() if flag.keep == "match"},
+            "flags": {name: self._by_team(self.flags[name], flag.per) for name, flag in self.scenario.flags.items()
+                      if flag.keep == "match"},
             **({"undrawn": undrawn} if undrawn else {}),
             **({"counters": counters} if counters else {}),
             **({"timers": timers} if timers else {}),

@@ -37,7 +37,6 @@ class Word(Strict):
         KEY: the field that says which word it is: ``trigger``.
         EXAMPLE: sections of a scenario that show it; run as a test and printed in the reference.
         SENTENCE: how the rule sheet describes the one in the example.
-        ALL_IF_NONE: whether it is about all of what is kept for several, if it names none.
     """
 
     # ClassVar alone: pydantic would evaluate ClassVar[str] again for each word.
@@ -45,7 +44,6 @@ class Word(Strict):
     EXAMPLE: ClassVar = ""
     SENTENCE: ClassVar = ""
     ASKS_WHERE: ClassVar = False
-    ALL_IF_NONE: ClassVar = False
     READS_MESSAGES: ClassVar = False
 
     @classmethod
@@ -308,7 +306,6 @@ class Action(Word):
     """
 
     KEY = "action"
-    ALL_IF_NONE = True
     EFFECT: ClassVar[type[Effect] | None] = None
 
     def compile(self, to: Binder) -> Act:

@@ -60,8 +60,22 @@ class Scope(Protocol):
     def start_of(self, entity: int) -> StartPose:
         """Return the start of an entity."""
 
-    def whose(self, name: str | None) -> str | None:
-        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
+    def owners(self, section: str, name: str, names: Names | None) -> tuple[str, ...] | None:
+        """Return whose counter, flag, timer or sequence is meant; None: all of them, or the only one.
+
+        Without names it is that of ``each`` if the rule is for its owners.
+        """
+
+    def group_of_owners(
+        self, section: str, name: str, names: Names
+    ) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        """Return what `group` does of those that have a counter, flag, timer or sequence of their own."""
+
+    def entrants(self, names: Names) -> tuple[str, ...]:
+        """Return the entrants that names stand for; of a robot that for which it plays."""
+
+    def group_of_entrants(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        """Return what `group` does of entrants."""
 
     def spot(self, name: str) -> Callable[[], Point]:
         """Return a function that reads the present place of a spot, or of the spot that a draw decided."""

@@ -94,7 +94,7 @@ class Compared(Condition):
         names = value.named() if self.of is None else value.names(to)
         if not names:
             return test_of(value)
-        members, members_now = to.group(names)
+        members, members_now = value.members(to, names)
         tests = {member: test_of(value.of_member(member)) for member in members}
         of = self.of or "any"
         if of == "any" and len(tests) == 1 and members_now() is members:

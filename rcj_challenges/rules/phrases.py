@@ -29,7 +29,7 @@ class Phrases(Protocol):
     def owned(self, what: str, names: Names, name: str = "") -> str:
         """Return the phrase for what one has: ``its program``, ``the timer “rest” of one of the robots``."""
 
-    def kept(self, kind: str, name: str, entity: str | None) -> str:
+    def kept(self, kind: str, name: str, entity: Names | None) -> str:
         """Return a counter, flag, timer or sequence with whose it is: ``the counter “laps” of Y1``."""
 
     def owners(self, kind: str, name: str) -> str | None:
@@ -69,8 +69,11 @@ class Phrases(Protocol):
     def is_set(self, draw: str) -> bool:
         """Return whether rules set a draw from the start of each half, so that chance decides nothing."""
 
-    def is_entrant(self, name: str) -> bool:
-        """Return whether a name is that of an entrant."""
+    def entrant(self, name: str) -> str:
+        """Return an entrant: ``yellow``, ``the other team``; of a robot ``its team``."""
+
+    def is_one_owner(self, kind: str, name: str, entity: Names) -> bool:
+        """Return whether a counter, flag, timer or sequence of these names is one, not those of several."""
 
     def keepers(self, kind: str, name: str) -> str | None:
         """Return the names of which each has a counter, flag, timer or sequence of its own; None for a single one."""
@@ -92,7 +95,7 @@ class Phrases(Protocol):
 
     # --- for actions ------------------------------------------------------------------------------------------------
 
-    def every_kept(self, kind: str, name: str, entity: str | None) -> str:
+    def every_kept(self, kind: str, name: str, entity: Names | None) -> str:
         """Return a counter, flag, timer or sequence with whose it is, where no entity stands for all of them."""
 
     def may_be_zone(self, name: str) -> bool:

@@ -121,8 +121,8 @@ MEASURED_TO = Ref(
 )
 SEEN = Ref("entity, obstacle or spot", MOVING | FIXED | _SPOT, each=True, drawn=True)
 ANCHOR = Ref("entity or spot", MOVING | _SPOT, each=True, drawn=True)
-WHOSE = Ref("entity", KEEPING, each=True)
-WHOSE_OF = Ref("entity", KEEPING, groups=True, each=True)
+WHOSE = Ref("entity", KEEPING | {"entrant"}, each=True)
+WHOSE_OF = replace(WHOSE, groups=True)
 KEEPERS = Ref("entity, obstacle, zone or gate", KEEPING, groups=True)
 STEP = Ref("zone or gate", _ZONE | _GATE)
 
@@ -134,7 +134,7 @@ PHASE = SectionRef("phase", ("phases",), words=frozenset({"play"}))
 KEEP = replace(PHASE, words=PHASE.words | {"half", "match", "phase"})
 SEQUENCE = SectionRef("sequence", ("sequences",))
 ENTRANT = SectionRef("entrant", ("entrants",))
-SCORED = replace(ENTRANT, words=frozenset({"each", "other"}))
+SCORED = replace(ENTRANT, words=frozenset({"each", "other", "others", "entrants"}))
 
 WRITTEN_COUNTER, WRITTEN_FLAG, WRITTEN_TIMER, WRITTEN_DRAW, WRITTEN_SEQUENCE = (
     replace(one, is_written=True) for one in (COUNTER, FLAG, TIMER, DRAW, SEQUENCE)

@@ -6,7 +6,7 @@ written, nested ones are put in their place, and each member counts once.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from rcj_challenges.rules.effects import Touch
@@ -15,7 +15,8 @@ from rcj_challenges.scenario.models.scenario import MAX_GROUPS, MAX_MEMBERS, Rul
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, node_at
 
 WALLS = "walls"
-ALWAYS = ("robots", "balls", "obstacles", WALLS)
+ENTRANTS = "entrants"
+ALWAYS = ("robots", "balls", "obstacles", WALLS, ENTRANTS)
 """Groups that always exist; each colour of a robot is one too."""
 
 EACH = "each"
@@ -57,6 +58,7 @@ class Roster:
             ``walls``, ``zone``, ``gate`` or ``spot``.
         sections: section to the names that it defines.
         colours: the groups of robots by their colour.
+        teams: entrant to its robots, which it stands for where things are asked for; so does the group ``entrants``.
     """
 
     entities: tuple[str, ...]
@@ -69,6 +71,7 @@ class Roster:
     kinds: dict[str, str]
     sections: dict[str, tuple[str, ...]]
     colours: tuple[str, ...]
+    teams: dict[str, tuple[str, ...]]
 
     @classmethod
     def of(cls, scenario: Scenario) -> Roster:
@@ -79,6 +82,7 @@ class Roster:
             movable={name for name, one in scenario.obstacles.items() if getattr(one, "movable", False)},
             parts=scenario.groups,
             values={name: draw.values for name, draw in scenario.draws.items()},
+            teams={name: tuple(entrant.robots) for name, entrant in scenario.entrants.items()},
         )
 
     @classmethod
@@ -100,6 +104,7 @@ class Roster:
             if len(groups) <= MAX_GROUPS
             else {},  # refused as too many; nothing more is said about them
             values={name: texts(node_at(root, ("draws", name, "values"))) for name in sections.get("draws", ())},
+            teams={name: _keys(root, ENTRANTS, name, "robots") for name in sections.get(ENTRANTS, ())},
         )
 
     def names(self, section: str) -> tuple[str, ...]:
@@ -123,6 +128,20 @@ class Roster:
         """Return the members that names stand for, without repeats, in order; without ``each`` that stays."""
         found = (one for name in with_each(names, each) for one in self.groups.get(name, (name,)))
         return tuple(dict.fromkeys(found))
+
+    def keepers(self, group: str) -> tuple[str, ...]:
+        """Return those of a group that a rule is for, or that keep something: of ``entrants`` these themselves."""
+        return tuple(self.teams) if group == ENTRANTS else self.expand(group)
+
+    def keeps(self, group: str | None, per: str) -> bool:
+        """Return whether each member of a group has its own of what is kept ``per`` another."""
+        if group is None or (group == ENTRANTS) != (per == ENTRANTS):
+            return False
+        return set(self.expand(group)) <= set(self.expand(per))
+
+    def robots_of(self, entrants: Iterable[str]) -> tuple[str, ...]:
+        """Return the robots of entrants."""
+        return tuple(robot for entrant in entrants for robot in self.teams[entrant])
 
     def may_be(self, names: Names, rule: Rule | None = None) -> tuple[str, ...]:
         """Return all that names may ever stand for: of a draw all among which it decides, in a rule also ``each``."""
@@ -174,6 +193,11 @@ def _leaf(root: Entries, *path: str) -> object:
     return found.value if isinstance(found, Leaf) else None
 
 
+def _keys(root: Entries, *path: str) -> tuple[str, ...]:
+    found = node_at(root, path)
+    return tuple(found.entries) if isinstance(found, Entries) else ()
+
+
 def _roster(
     sections: dict[str, tuple[str, ...]],
     *,
@@ -181,6 +205,7 @@ def _roster(
     movable: set[str],
     parts: Mapping[str, tuple[str, ...]],
     values: Mapping[str, tuple[Scalar, ...]],
+    teams: dict[str, tuple[str, ...]],
 ) -> Roster:
     robots, balls, obstacles = (sections.get(section, ()) for section in ("robots", "balls", "obstacles"))
     entities = (*robots, *balls, *(name for name in obstacles if name in movable))
@@ -193,6 +218,7 @@ def _roster(
         kinds.setdefault(name, "obstacle" if name in movable else "fixed obstacle")
     kinds[WALLS] = WALLS
     groups: dict[str, tuple[str, ...]] = {"robots": robots, "balls": balls, "obstacles": obstacles, WALLS: (WALLS,)}
+    groups[ENTRANTS] = tuple(dict.fromkeys(robot for team in teams.values() for robot in team))
     for name, colour in colours.items():
         if colour not in kinds:  # which is an error
             groups[colour] = (*groups.get(colour, ()), name)
@@ -220,6 +246,7 @@ def _roster(
         kinds=kinds,
         sections=sections,
         colours=by_colour,
+        teams=teams,
     )
 
 

@@ -8,10 +8,10 @@ from operator import attrgetter
 from typing import Any
 
 from rcj_challenges.rules.base import ValueWord, Word
-from rcj_challenges.rules.effects import Draws, HalfStart, Places, PlacesLayout, Scores, SetsPhase, SetsSpot, Touch
+from rcj_challenges.rules.effects import Draws, HalfStart, Places, PlacesLayout, SetsPhase, SetsSpot, Touch
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.placement import places
-from rcj_challenges.rules.refs import Ref, drawn_value, ref_of
+from rcj_challenges.rules.refs import SCORED, Ref, drawn_value, ref_of, refs_of
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.placeholders import placeholders_in
@@ -117,12 +117,13 @@ def names_other(rule: Rule, scenario: Scenario) -> bool:
     """Return whether a rule of touches asks about what was touched, acts on it or names it in a text."""
     if not has_other(rule):
         return False
-    receives = OTHER not in scenario.entrants and any(one.entrant == OTHER for one in rule.effects(Scores))
+    models = [one for one, _ in walk((rule.conditions, rule.actions))]
+    scored = (getattr(one, key) for one in models for key, reference, _ in refs_of(type(one)) if reference == SCORED)
     return (
-        receives
+        (OTHER not in scenario.entrants and OTHER in scored)
         or OTHER in placeholders_in(rule.says)
         or for_other(rule, "") != rule
-        or any(isinstance(one, Word) and one.stands_for(OTHER) for one, _ in walk((rule.conditions, rule.actions)))
+        or any(isinstance(one, Word) and one.stands_for(OTHER) for one in models)
     )
 
 
@@ -141,7 +142,7 @@ def for_other(rule: Rule, other: str) -> Rule:
 def with_other(value: Any, other: str) -> Any:
     """Return a part of a rule with a name wherever it says ``other``; the very same part if it never does.
 
-    The entrant of ``score`` stays: who drives a robot is known where points are given.
+    An entrant stays: who drives a robot is known where it is read.
     """
     if isinstance(value, Strict):
         changed = {name: _field(value, name, other) for name in type(value).model_fields}

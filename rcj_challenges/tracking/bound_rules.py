@@ -39,6 +39,7 @@ class BoundRule:
     Attributes:
         about: ``each`` if it is an entity or an obstacle; else None, and the trigger finds the entity.
         other: what ``other`` stands for; the rule fires only if that is touched. None: the rule does not name it.
+        entrant: the entrant that ``each`` is, or for which it plays; else None.
         phases: in which it is active; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
         cooldown: ticks it rests after firing.
@@ -61,6 +62,7 @@ class BoundRule:
     past: RuleHistory = field(default_factory=RuleHistory)
     other: str | None = None
     about: str | None = None
+    entrant: str | None = None
 
     def is_active_in(self, phase: str) -> bool:
         """Return whether the rule is active in a phase."""
@@ -106,7 +108,7 @@ class Firing:
 
     @property
     def place(self) -> str | None:
-        """The zone or gate that ``each`` is, else None."""
+        """The zone, gate or entrant that ``each`` is, else None."""
         return self.rule.each if self.rule.about is None else None
 
 

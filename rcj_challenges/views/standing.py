@@ -9,7 +9,9 @@ from rcj_challenges.core.amounts import measure, measured_words, number_words
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.referee.ranking import Tally, counted_for, ranked_counters
 from rcj_challenges.rules.effects import Scores
+from rcj_challenges.scenario.halves import by_team
 from rcj_challenges.scenario.models.scenario import RankByScore, Scenario
+from rcj_challenges.scenario.roster import ENTRANTS
 
 Value = int | float
 
@@ -41,7 +43,11 @@ class RankingCounters:
         counters = self._scenario.counters
         if self._latest is not None:
             self._over.append(self._tally(self._latest))
-            self._began = {name: self._latest[name] for name in self._names if counters[name].keep == "match"}
+            self._began = {
+                name: by_team(self._latest[name], self._seats) if counters[name].per == ENTRANTS else self._latest[name]
+                for name in self._names
+                if counters[name].keep == "match"
+            }
         self._seats, self._latest = half.teams, None
 
     def by_team(self, counters: Mapping[str, Any]) -> dict[str, list[Value]] | None:

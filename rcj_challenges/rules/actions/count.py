@@ -5,8 +5,8 @@ from typing import Annotated, Literal
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Number, Phrases
 from rcj_challenges.rules.bounds import bounds_words, change_bound
-from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import WHOSE, WRITTEN_COUNTER
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_COUNTER
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.number import takes_away
 
@@ -16,8 +16,8 @@ class Count(Action):
 
     action: Literal["count"]
     counter: Annotated[Name, WRITTEN_COUNTER] = described(..., "the counter")
-    entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a counter kept per entity: which entity, or each; if omitted: all of them"
+    entity: Annotated[Names | None, WHOSE_OF] = described(
+        None, "if it is kept per entity: whose; if omitted: that of each in a rule for_each of its owners, else all"
     )
     by: Amount | None = described(
         None, "what is added; 1 if neither `by` nor `to` is given; if there is no such number, nothing"
@@ -54,7 +54,7 @@ expect:
 
     def compile(self, to: Binder) -> Act:
         """Return a function that changes a counter: first ``to``, then ``by``."""
-        counters, name, whose = to.state.counters, self.counter, to.whose(self.entity)
+        counters, name, whose = to.state.counters, self.counter, to.owners("counters", self.counter, self.entity)
         new = None if self.to is None else compile_amount(self.to, to)
         by = 1 if self.by is None and self.to is None else self.by
         step = None if by is None else compile_amount(by, to)
@@ -71,7 +71,7 @@ expect:
         def act(firing: Firing) -> None:
             value = counters[name]
             if isinstance(value, dict):
-                for member in value if whose is None else (whose,):
+                for member in value if whose is None else whose:
                     value[member] = changed(value[member], firing)
             else:
                 counters[name] = changed(value, firing)

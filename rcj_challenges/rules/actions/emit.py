@@ -40,8 +40,11 @@ expect:
         name = self.event
         payload = {key: compile_value(value, to) for key, value in self.payload.items()}
 
+        # What an entrant emits is about its robots.
+        own = () if to.rule.each is None else to.members("each")
+
         def act(firing: Firing) -> None:
-            about = tuple(one for one in (firing.subject, firing.place) if one is not None)
+            about = own if firing.subject is None else tuple(dict.fromkeys((firing.subject, *own)))
             to.emit(name, {key: read(firing) for key, read in payload.items()}, about)
 
         return act

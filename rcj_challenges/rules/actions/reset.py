@@ -67,10 +67,10 @@ expect:
         for kind, name in self._named():
             if kind == "sequence":
                 followed = to.sequences(name)
-                trackers += [followed[one] for one in self._of(followed, to)]
+                trackers += [followed[one] for one in self._of(kind, name, followed, to)]
             else:
                 kept: Any = getattr(to.state, f"{kind}s")
-                owners = self._of(kept[name], to) if isinstance(kept[name], dict) else ()
+                owners = self._of(kind, name, kept[name], to) if isinstance(kept[name], dict) else ()
                 values.append((kept, name, owners, to.state.first[f"{kind}s"][name]))
 
         def act(_firing: Firing) -> None:
@@ -84,11 +84,10 @@ expect:
 
         return act
 
-    def _of(self, kept: Any, to: Binder) -> tuple[Any, ...]:
+    def _of(self, kind: str, name: str, kept: Any, to: Binder) -> tuple[Any, ...]:
         """Return the owners of what is reset; None for one that is not kept for several."""
-        if self.entity is not None:
-            return to.members(self.entity)
-        return (to.each,) if to.each in kept else tuple(kept)
+        owners = to.owners(f"{kind}s", name, self.entity)
+        return tuple(kept) if owners is None else owners
 
     def effects(self) -> tuple[Writes, ...]:
         return tuple(Writes(f"{kind}s", name) for kind, name in self._named())

@@ -9,7 +9,7 @@ from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.bounds import bounds_words, change_bound
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Name, Strict, described
-from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE, counted, plain
+from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE, counted
 from rcj_challenges.rules.refs import SCORED, THING
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.number import takes_away
@@ -29,7 +29,8 @@ class Score(Action):
     action: Literal["score"]
     entrant: Annotated[Name | LastToucher, SCORED] = described(
         ...,
-        "the entrant that gets them, by its seat in this half; each, other: the entrant of that robot; "
+        "the entrant that gets them, by its seat in this half; each, others, other: the entrant, or that of the robot; "
+        "entrants: each of them; "
         "{last_touch: ball}: the entrant of the robot that was the last to touch the ball since "
         "the ball was placed, if any",
         union_mode="left_to_right",
@@ -70,35 +71,32 @@ expect:
 
     def compile(self, to: Binder) -> Act:
         """Return a function that gives points to an entrant; to none if nothing touched what they are given for."""
-        state, receiver = to.state, self._receiver(to)
+        state, receivers = to.state, self._receivers(to)
         points, bounded = compile_amount(self.points, to), change_bound(self)
 
         def act(firing: Firing) -> None:
-            entrant, wanted = receiver(), points(firing)
-            if entrant is None or wanted is None:
-                return
-            given = bounded(wanted, state.scores[entrant])
-            state.scores[entrant] = round_score(state.scores[entrant] + given)
-            firing.scored[entrant] = round_score(firing.scored.get(entrant, 0) + given)
+            wanted = points(firing)
+            for entrant in () if wanted is None else receivers():
+                given = bounded(wanted, state.scores[entrant])
+                state.scores[entrant] = round_score(state.scores[entrant] + given)
+                firing.scored[entrant] = round_score(firing.scored.get(entrant, 0) + given)
 
         return act
 
-    def _receiver(self, to: Binder) -> Callable[[], str | None]:
-        """Return the function that finds the receiver: the named entrant, or the one that drives a robot."""
-        drivers = to.state.entrant_of
+    def _receivers(self, to: Binder) -> Callable[[], tuple[str, ...]]:
+        """Return the function that finds the receivers: entrants by name, or those that drive robots."""
         if isinstance(self.entrant, LastToucher):
-            touched, contacts = to.thing(self.entrant.last_touch), to.contacts
+            touched, contacts, drivers = to.thing(self.entrant.last_touch), to.contacts, to.state.entrant_of
             contacts.follow_last(touched)
 
-            def driver_of_the_last() -> str | None:
+            def driver_of_the_last() -> tuple[str, ...]:
                 robot = contacts.last(touched)
-                return None if robot is None else drivers.get(to.name_of(robot))
+                driver = None if robot is None else drivers.get(to.name_of(robot))
+                return () if driver is None else (driver,)
 
             return driver_of_the_last
-        bound = {"each": to.rule.each, "other": to.rule.other}
-        robot = None if self.entrant in to.state.scores else bound.get(self.entrant)
-        whose = self.entrant if robot is None else drivers.get(robot)
-        return lambda: whose
+        entrants = to.entrants(self.entrant)
+        return lambda: entrants
 
     def effects(self) -> tuple[Scores]:
         points = self.points if isinstance(self.points, int | float) else None
@@ -122,6 +120,4 @@ expect:
         """Return the receiver of the points: ``yellow``, or ``the team of the last to touch the ball``."""
         if isinstance(self.entrant, LastToucher):
             return f"the team of the last to touch {phrases.thing(self.entrant.last_touch)}"
-        if self.entrant not in ("each", "other") or phrases.is_entrant(self.entrant):
-            return plain(self.entrant)
-        return "its team" if self.entrant == "each" else f"the team of {phrases.thing(self.entrant)}"
+        return phrases.entrant(self.entrant)

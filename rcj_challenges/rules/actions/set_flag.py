@@ -3,8 +3,8 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
-from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import WHOSE, WRITTEN_FLAG
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_FLAG
 
 
 class SetFlag(Action):
@@ -12,8 +12,8 @@ class SetFlag(Action):
 
     action: Literal["set_flag"]
     flag: Annotated[Name, WRITTEN_FLAG] = described(..., "the flag")
-    entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a flag kept per entity: which entity, or each; if omitted: all of them"
+    entity: Annotated[Names | None, WHOSE_OF] = described(
+        None, "if it is kept per entity: whose; if omitted: that of each in a rule for_each of its owners, else all"
     )
     to: Literal["opposite"] | bool = described(True, "the new value; opposite: the other one than before")
 
@@ -32,7 +32,7 @@ expect:
     SENTENCE = "the flag “armed” is set"
 
     def compile(self, to: Binder) -> Act:
-        flags, name, new, whose = to.state.flags, self.flag, self.to, to.whose(self.entity)
+        flags, name, new, whose = to.state.flags, self.flag, self.to, to.owners("flags", self.flag, self.entity)
 
         def changed(value: bool) -> bool:
             return not value if new == "opposite" else new
@@ -40,7 +40,7 @@ expect:
         def act(_firing: Firing) -> None:
             value = flags[name]
             if isinstance(value, dict):
-                for member in value if whose is None else (whose,):
+                for member in value if whose is None else whose:
                     value[member] = changed(value[member])
             else:
                 flags[name] = changed(value)

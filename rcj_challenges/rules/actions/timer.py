@@ -4,8 +4,8 @@ from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
-from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import WHOSE, WRITTEN_TIMER
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_TIMER
 from rcj_challenges.rules.values import Amount, compile_duration, duration_words
 from rcj_challenges.tracking.state import Clock
 
@@ -15,8 +15,8 @@ class TimerAction(Action):
 
     action: Literal["timer"]
     timer: Annotated[Name, WRITTEN_TIMER] = described(..., "the timer")
-    entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a timer kept per entity: which entity, or each; if omitted: all of them"
+    entity: Annotated[Names | None, WHOSE_OF] = described(
+        None, "if it is kept per entity: whose; if omitted: that of each in a rule for_each of its owners, else all"
     )
     do: Literal["restart", "start", "stop", "reset", "add"] = described(
         "restart",
@@ -49,9 +49,9 @@ expect:
 
     def compile(self, to: Binder) -> Act:
         state, do, timer = to.state, self.do, self.timer
-        clocks, whose = state.timers[timer], to.whose(self.entity)
+        clocks, whose = state.timers[timer], to.owners("timers", timer, self.entity)
         longer_s = None if self.s is None else compile_duration(self.s, to)
-        chosen = tuple(clocks.items()) if whose is None else ((whose, clocks[whose]),)
+        chosen = tuple((one, clocks[one]) for one in (clocks if whose is None else whose))
 
         def change(owner: str | None, clock: Clock, more_s: float) -> None:
             elapsed = clock.ticks(state.tick)

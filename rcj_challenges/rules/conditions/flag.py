@@ -51,7 +51,7 @@ expect:
 
     def test(self, to: Binder) -> Test:
         state, name = to.state, self.flag
-        return test_of_kept(self, to, state.flags[name], lambda whose: state.flag(name, whose))
+        return test_of_kept(self, to, "flags", name, state.flags[name], lambda whose: state.flag(name, whose))
 
     def describe(self, phrases: Phrases) -> str:
         subject = asked(phrases, self, "flag", self.flag)

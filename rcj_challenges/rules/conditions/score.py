@@ -2,7 +2,6 @@
 
 from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.comparison import Compared
-from rcj_challenges.rules.phrasing import plain
 from rcj_challenges.rules.values.score import ScoreValue
 
 
@@ -31,9 +30,12 @@ expect:
     SENTENCE = "the score of yellow is less than the score of blue"
 
     def describe(self, phrases: Phrases) -> str:
+        if self.score == "entrants" and not self.value.is_computed():
+            subject = phrases.quantified(self.of or "any", self.score, negate=self.negate)
+            return f"{subject.does('has', 'have')} a score of {self.compared(phrases)}"
         other = self.equals
         is_plain = isinstance(other, ScoreValue) and other.since is self.since is None
         if not isinstance(other, ScoreValue) or not is_plain or other.is_computed() or self.value.is_computed():
             return super().describe(phrases)
-        scores = f"the scores of {plain(self.score)} and {plain(other.score)}"
+        scores = f"the scores of {phrases.entrant(self.score)} and {phrases.entrant(other.score)}"
         return f"{scores} {'differ' if self.negate else 'are equal'}"

@@ -60,7 +60,7 @@ expect:
             asked = everyone if whose is None else (trackers[whose],)
             return any(tracker.reached == step for tracker in asked)
 
-        return test_of_kept(self, to, trackers, test)
+        return test_of_kept(self, to, "sequences", self.sequence, trackers, test)
 
     def describe(self, phrases: Phrases) -> str:
         subject, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.equals)

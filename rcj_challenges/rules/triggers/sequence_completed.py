@@ -72,15 +72,12 @@ expect:
 
 def trackers_of(to: Binder, sequence: str, entity: Names | None) -> tuple[SequenceTracker, ...]:
     """Return the trackers of a sequence: those of the entities that are named, else of all that have one."""
-    trackers = to.sequences(sequence)
-    if entity is None:
-        return tuple(trackers.values())
-    return tuple(trackers[member] for member in to.members(entity))
+    trackers, owners = to.sequences(sequence), to.owners("sequences", sequence, entity)
+    return tuple(trackers[member] for member in (trackers if owners is None else owners))
 
 
 def which_sequence(phrases: Phrases, sequence: str, entity: Names | None) -> str:
     """Return the sequence that a trigger waits for, with whose it is where each of several has one."""
-    owners = phrases.owners("sequence", sequence)
-    if owners is None:
+    if phrases.owners("sequence", sequence) is None:
         return phrases.kept("sequence", sequence, entity if isinstance(entity, str) else None)
-    return phrases.owned("sequence", entity or owners, sequence)
+    return phrases.owned("sequence", entity or phrases.one_of_owners("sequence", sequence) or (), sequence)

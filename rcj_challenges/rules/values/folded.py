@@ -49,7 +49,7 @@ class FoldedValue(NumberValue):
         if isinstance(several, tuple):
             readers = tuple(read_number(one, to) for one in several)
             return lambda firing: [read(firing) for read in readers]
-        members, members_now = to.group(several.names(to))
+        members, members_now = several.members(to, several.names(to))
         of = {member: read_number(several.of_member(member), to) for member in members}
         return lambda firing: [of[member](firing) for member in members_now()]
 

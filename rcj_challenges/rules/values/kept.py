@@ -1,5 +1,6 @@
 """What the values of counters, flags and timers share: each of them may be kept per entity."""
 
+from collections.abc import Callable
 from typing import Annotated, Any, ClassVar
 
 from rcj_challenges.rules.base import Phrases, Scope
@@ -21,7 +22,7 @@ class KeptValue(NumberValue):
 
     entity: Annotated[Names | None, WHOSE] = described(
         None,
-        "if it is kept per entity: which entity; each: the current member; if omitted and there is no for_each: the "
+        "if it is kept per entity: which entity; if omitted: that of each in a rule for_each of its owners, else the "
         "sum of counters, any of the flags, the longest of timers; in highest, lowest and sum also a group or others, "
         "if omitted: all of them",
     )
@@ -37,7 +38,11 @@ class KeptValue(NumberValue):
         Raises:
             ValueError: several are named; such a scenario is refused when it is loaded.
         """
-        return to.whose(self.one_entity())
+        owners = to.owners(self.IN, self.kept, self.one_entity())
+        return None if owners is None else owners[0]
+
+    def members(self, to: Scope, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        return to.group_of_owners(self.IN, self.kept, names)
 
     def names(self, to: Scope) -> Names:
         kept: Any = getattr(to.state, self.IN).get(self.kept)

@@ -116,6 +116,10 @@ class NumberValue(ValueWord):
         names: Names = getattr(self, self.OVER)
         return names
 
+    def members(self, to: Scope, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        """Return all members that the names may stand for, and a function that finds those for which they do now."""
+        return to.group(names)
+
     def named(self) -> Names:
         """Return the names of what it is read of; none if it is read of all as one."""
         return getattr(self, self.OVER) if self.OVER else ()

@@ -1,11 +1,11 @@
 """The value ``score``."""
 
+from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
-from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrasing import plain
+from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.refs import SCORED
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -13,8 +13,12 @@ from rcj_challenges.rules.values.number import NumberValue
 class ScoreValue(NumberValue):
     """The score of an entrant; none if no entrant drives what `each` or `other` is."""
 
+    OVER = "score"
+
     score: Annotated[Name, SCORED] = described(
-        ..., "an entrant, by its seat in this half; each, other: that of the robot"
+        ...,
+        "an entrant, by its seat in this half; each, others, other: the entrant, or that of the robot; in "
+        "highest, lowest and sum also entrants",
     )
 
     since: Literal["half", "phase"] | None = described(
@@ -41,20 +45,18 @@ expect:
     SENTENCE = "the score of blue"
 
     def as_it_is(self, to: Scope) -> Reader:
-        state, name = to.state, self.score
-        before = {} if self.since is None else state.began_with[self.since]
+        scores, entrants = to.state.scores, to.entrants(self.score)
+        before = {} if self.since is None else to.state.began_with[self.since]
 
-        def read(firing: Firing) -> Number | None:
-            robot = None if name in state.scores else {"each": firing.rule.each, "other": firing.rule.other}.get(name)
-            entrant = name if robot is None else state.entrant_of.get(robot, "")
-            score = state.scores.get(entrant)
-            return score if score is None or not before else round_score(score - before[entrant])
+        def read(_firing: Firing) -> Number | None:
+            score = scores[entrants[0]] if entrants else None
+            return score if score is None or not before else round_score(score - before[entrants[0]])
 
         return read
 
+    def members(self, to: Scope, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        return to.group_of_entrants(names)
+
     def describe(self, phrases: Phrases) -> str:
         since = {None: "", "half": f" in this {phrases.period}", "phase": " in this phase"}[self.since]
-        if phrases.is_entrant(self.score):
-            return f"the score of {plain(self.score)}{since}"
-        team = "its team" if self.score == "each" else f"the team of {phrases.thing(self.score)}"
-        return f"the score of {team}{since}"
+        return f"the score of {phrases.entrant(self.score)}{since}"

@@ -79,8 +79,7 @@ def entrant_of(state: RefereeState, firing: Firing, of: str | None) -> str:
     """Return an entrant: the named one, else that of the robot that the firing is about; an empty text if none is."""
     if of is not None:
         return of
-    owners = (state.entrant_of.get(name) for name in (firing.rule.each, firing.entity) if name is not None)
-    return next((owner for owner in owners if owner is not None), "")
+    return firing.rule.entrant or state.entrant_of.get(firing.entity or "", "")
 
 
 def team_name_of(state: RefereeState, firing: Firing, of: str | None) -> str:

@@ -239,7 +239,7 @@ def _owners(
                 continue
             if not values:
                 yield issue(codes.WRONG_VALUE, at, "names nothing", "write {entity: value, …}, or leave it out")
-            owners = roster.expand(kept.per)
+            owners = roster.keepers(kept.per)
             for owner in (one for one in values if one not in owners):
                 message = f"there is no {noun} '{name}' of '{owner}'"
                 yield issue(codes.UNKNOWN_NAME, (*at, owner), message, choice_of(owner, owners), at_key=True)

@@ -23,7 +23,7 @@ from rcj_challenges.scenario.messages.wording import format_node, spelled
 from rcj_challenges.scenario.models.robots import Entrant, Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence, Timer
-from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, OTHERS, Roster, texts, touched
+from rcj_challenges.scenario.roster import BOUND, EACH, ENTRANTS, OTHER, OTHERS, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, format_path, node_at
 
@@ -36,10 +36,15 @@ _Wrong = tuple[Code, str, str]
 
 
 class Scope(NamedTuple):
-    """What ``each`` and ``other`` may stand for in a rule; None if the name cannot be used there."""
+    """What ``each`` and ``other`` may stand for in a rule; None if the name cannot be used there.
+
+    Attributes:
+        group: the group that ``each`` is of; of ``entrants`` it stands for their robots.
+    """
 
     each: tuple[str, ...] | None = None
     other: tuple[str, ...] | None = None
+    group: str | None = None
 
     def of(self, name: str) -> tuple[str, ...] | None:
         """Return the names that ``each``, ``others`` or ``other`` may stand for."""
@@ -94,8 +99,8 @@ class _Walker:
             scope = self._scope_of(node)
         elif model is Timer and texts(node.entries.get("per")):
             # What one of several timers lasts may be what the counter of the same member says.
-            scope = Scope(self._members(node.entries["per"], Scope()))
-        for key, reference, default in _refs_of(model, node, path):
+            scope = self._scope_of_group(node.entries["per"])
+        for key, reference, default in self._refs_of(model, node, path):
             if key in node.entries:
                 self._values(reference, node.entries[key], (*path, key), path)
                 for name, at in _names_in(node.entries[key], (*path, key), reference):
@@ -125,7 +130,7 @@ class _Walker:
 
     def _scope_of(self, rule: Entries) -> Scope:
         group = rule.entries.get("for_each")
-        scope = Scope(None if group is None else self._members(group, Scope()))
+        scope = Scope() if group is None else self._scope_of_group(group)
         triggers = rule.entries.get("triggers")
         listed = triggers.items if isinstance(triggers, Items) else []
         binding = [(word.name(),) for word in TRIGGERS.words() if issubclass(word, Trigger) and word.BINDS_OTHER]
@@ -134,6 +139,9 @@ class _Walker:
         pairs = [[self._members(child(one, key), scope) for key in ("entity", "other")] for one in listed]
         found = dict.fromkeys(name for one, other in pairs for name in other if name in touched(one, other))
         return scope._replace(other=tuple(found))
+
+    def _scope_of_group(self, group: Node) -> Scope:
+        return Scope(self._members(group, Scope()), group=next(iter(texts(group)), None))
 
     def _members(self, names: Node | None, scope: Scope) -> tuple[str, ...]:
         """Return the members that names stand for: groups expanded, ``each`` and ``other`` replaced."""
@@ -146,19 +154,17 @@ class _Walker:
         """Return code, message and help about a name that cannot stand here; None if it can."""
         roster = self.roster
         if name in reference.words:
-            return self._receiver(name, scope) if name in BOUND else None
+            return self._receiver(name, scope) if self._is_bound(name) else None
         if isinstance(reference, SectionRef):
             if not any(name in roster.names(section) for section in reference.sections):
                 return self._unknown(reference, name, path)
             return None
         if self._is_bound(name):
-            unbound = self._unbound(reference, name, path, scope.of(name))
-            return (
-                (codes.UNBOUND_NAME, unbound, "")
-                if unbound
-                else self._wrong_kind(reference, name, scope.of(name) or ())
-            )
-        if roster.kinds.get(name) in reference.kinds:
+            unbound = self._unbound(reference, name, path, scope)
+            if unbound:
+                return codes.UNBOUND_NAME, unbound, ""
+            return self._team(reference, name, scope) or self._wrong_kind(reference, name, scope.of(name) or ())
+        if roster.kinds.get(name) in reference.kinds or ("entrant" in reference.kinds and name in roster.teams):
             return None
         if name not in {*roster.groups, *roster.kinds}:
             if not reference.drawn or name not in roster.names("draws"):
@@ -185,11 +191,20 @@ class _Walker:
             help_ = help_ or "with movable: true it is an entity"
         return codes.WRONG_KIND, f"{what} {_with_a(kinds[wrong])}; expected {_with_a(reference.noun)}", help_
 
-    @staticmethod
-    def _unbound(reference: Ref, name: str, path: Path, members: tuple[str, ...] | None) -> str:
+    def _team(self, reference: Ref, name: str, scope: Scope) -> _Wrong | None:
+        """Return the mistake of an entrant with several robots where one thing is needed; None if it is none."""
+        is_one = reference.groups or "entrant" in reference.kinds or scope.group != ENTRANTS or name == OTHER
+        if is_one or all(len(robots) == 1 for robots in self.roster.teams.values()):
+            return None
+        message = f"'{name}' stands for all robots of an entrant; expected {_with_a(reference.noun)}"
+        return codes.WRONG_KIND, message, "write for_each: robots, or a name"
+
+    def _unbound(self, reference: Ref, name: str, path: Path, scope: Scope) -> str:
+        members = scope.of(name)
+        is_opponent = "entrant" in reference.kinds and scope.group == ENTRANTS and len(self.roster.teams) == 2
         if name == OTHER and path[2:3] == ("triggers",):
             return "'other' is what was touched: a trigger says what may be, by name or group"
-        if not reference.each or (name == OTHERS and not reference.groups):
+        if not reference.each or (name == OTHERS and not reference.groups and not is_opponent):
             return f"'{name}' cannot be used here"
         if members is None and path[0] == "timers" and name == EACH:
             return "'each' can only be used in a timer with per"
@@ -287,6 +302,25 @@ class _Walker:
                 codes.NEVER_DRAWN, path, message, choice_of(spelled(value.value), (cut(spelled(one)) for one in known))
             )
 
+    def _refs_of(self, model: Any, node: Entries, path: Path) -> list[tuple[str, Reference, Any]]:
+        """Return the fields of a model that name something: of a condition, or a value read of several, also groups."""
+        over = getattr(model, "OVER", "") if _is_folded(path) or issubclass(model, Condition) else ""
+        is_of_robots = any(key in node.entries for key in getattr(model, "OF_ROBOTS", ()))
+        robots = getattr(model, "OWNER", "") if is_of_robots else ""
+        found = []
+        for key, reference, default in refs_of(model):
+            one = replace(reference, **_ONLY_ROBOTS) if key == robots and isinstance(reference, Ref) else reference
+            one = replace(one, groups=True) if key == over and isinstance(one, Ref) else one
+            if isinstance(one, Ref) and "entrant" in one.kinds and not self._is_per_entrants(node):
+                one = replace(one, kinds=one.kinds - {"entrant"})
+            found.append((key, one, default))
+        return found
+
+    def _is_per_entrants(self, node: Entries) -> bool:
+        """Return whether a mapping names a counter, flag or timer that each entrant has."""
+        kept = ((section, name) for key, section in _KEPT.items() for name in texts(node.entries.get(key)))
+        return any(ENTRANTS in texts(child(node_at(self.root, path), "per")) for path in kept)
+
     # --- what a reference cannot say ----------------------------------------------------------------------------------
 
     def _relations(self, model: Any, node: Entries, path: Path, scope: Scope) -> None:
@@ -299,7 +333,7 @@ class _Walker:
                 self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
         over = getattr(model, "OVER", "")
         if over and not _is_folded(path) and not issubclass(model, Condition) and over != "entity":
-            self._one_only(over, node.entries.get(over), path)
+            self._one_only(over, node.entries.get(over), path, scope)
         if _is_folded(path) and not over:
             self.add(codes.WRONG_KIND, path, "this value names no group", "write a list of numbers: [{…}, {…}]")
         if model is Expectation:
@@ -336,15 +370,20 @@ class _Walker:
                     codes.NOT_PER_ENTITY, (*path, surplus), message, f"leave '{surplus}' out, or give the {key} 'per'"
                 )
             return
-        owners, is_counted = roster.expand(group), "of" in node.entries
+        owners = roster.expand(group)
         if whose is None:
             is_about_one = any(one in owners or kinds.get(one) not in ("zone", "gate") for one in scope.each or ())
-            is_of_all = is_counted or _is_folded(path) or getattr(model, "ALL_IF_NONE", False)
-            if is_about_one and not is_of_all:
+            is_of_all = "of" in node.entries or _is_folded(path)
+            if is_about_one and not is_of_all and not roster.keeps(scope.group, group):
                 message = f"{key} '{name}' is kept per {group}"
-                self.add(codes.MISSING_ENTITY, (*path, key), message, "say whose with 'entity', such as entity: each")
+                self.add(
+                    codes.MISSING_ENTITY, (*path, key), message, f"say whose with 'entity', such as entity: {group}"
+                )
             return
-        is_several = isinstance(whose, Items) or any(one in roster.groups and one not in kinds for one in texts(whose))
+        is_several = isinstance(whose, Items) or any(
+            one in roster.groups and one not in kinds and not (group == ENTRANTS and one in roster.teams)
+            for one in texts(whose)
+        )
         reads_one = owner == "entity" and hasattr(model, "OVER") and not issubclass(model, Condition)
         if is_several and reads_one and not _is_folded(path):
             help_ = f"name one, or write what is meant of several: {{sum: {{{key}: {name}, …}}}}, highest or lowest"
@@ -355,11 +394,14 @@ class _Walker:
             message = f"{key} '{name}' is kept per {group}, and '{stranger}' is not among them"
             self.add(codes.WRONG_KIND, (*path, "entity"), message)
 
-    def _one_only(self, key: str, names: Node | None, path: Path) -> None:
+    def _one_only(self, key: str, names: Node | None, path: Path, scope: Scope) -> None:
         """Check that one thing is named where a number is read of one."""
         ends = names.items if isinstance(names, Items) else []
         several = ends[0] if key == "distance" and ends else names
-        if isinstance(several, Items) and any(texts(one) for one in several.items):
+        is_listed = isinstance(several, Items) and any(texts(one) for one in several.items)
+        (name,) = texts(names)[:1] if key == "score" else ("",)
+        others = len(self.roster.keepers(scope.group)) - 1 if scope.group and self.roster.is_others(name) else 1
+        if is_listed or ((others != 1 or name == ENTRANTS) and name not in self.roster.teams):
             help_ = f"name one, or write what is meant of several: {{sum: {{{key}: …}}}}, highest or lowest"
             self.add(codes.MISSING_ENTITY, (*path, key), "these are several", help_)
 
@@ -376,14 +418,12 @@ class _Walker:
             self.add(codes.NEVER_TOUCHES, (*path, "other"), why, "name what it touches, such as robots or walls")
 
     def _receiver(self, name: str, scope: Scope) -> _Wrong | None:
-        """Return the mistakes in points for ``each`` or ``other``, which stands for robots of entrants."""
-        if name in self.roster.names("entrants"):
+        """Return the mistakes in ``each``, ``others`` or ``other`` as entrants: those of robots."""
+        if name in self.roster.teams:
             return None
-        members = scope.of(name)
+        members, driven = scope.of(name), self.roster.expand(ENTRANTS)
         if members is None:
             return codes.UNBOUND_NAME, _unknown_bound(name), ""
-        robots = (node_at(self.root, ("entrants", one, "robots")) for one in self.roster.names("entrants"))
-        driven = {robot for node in robots for robot, _ in _entries(node)}
         idle = next((one for one in members if one in self.roster.kinds and one not in driven), None)
         if idle is None:
             return None
@@ -404,18 +444,6 @@ class _Walker:
         if members and all(self.roster.kinds.get(one) in ("zone", "gate") and one not in known for one in members):
             message = f"'{members[0]}' is not a step of it"
             self.add(codes.UNKNOWN_NAME, (*path, "equals"), message, choice_of(members[0], known))
-
-
-def _refs_of(model: Any, node: Entries, path: Path) -> list[tuple[str, Reference, Any]]:
-    """Return the fields of a model that name something: of a condition, or a value read of several, also groups."""
-    over = getattr(model, "OVER", "") if _is_folded(path) or issubclass(model, Condition) else ""
-    robots = getattr(model, "OWNER", "") if any(key in node.entries for key in getattr(model, "OF_ROBOTS", ())) else ""
-    found = []
-    for key, reference, default in refs_of(model):
-        one = replace(reference, **_ONLY_ROBOTS) if key == robots and isinstance(reference, Ref) else reference
-        one = replace(one, groups=True) if key == over and isinstance(one, Ref) else one
-        found.append((key, one, default))
-    return found
 
 
 def _is_folded(path: Path) -> bool:

@@ -10,9 +10,11 @@ from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import ExpectedEvent, RankByScore, Rule
-from rcj_challenges.scenario.roster import EACH
+from rcj_challenges.scenario.roster import EACH, OTHERS
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import effects_in, walk
+
+_KEPT = ("counter", "flag", "timer", "sequence")
 
 
 class PhaseNeverEntered(LintRule, code="phase-never-entered"):
@@ -135,8 +137,8 @@ class EachNeverNamed(LintRule, code="each-never-named"):
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
-            count = len(ctx.roster.expand(rule.for_each)) if rule.for_each is not None else 0
-            if count > 1 and not _names_each(rule):
+            count = len(ctx.roster.keepers(rule.for_each)) if rule.for_each is not None else 0
+            if count > 1 and not _names_each(rule, rule, ctx):
                 yield self.at(("rules", name, "for_each"), group=rule.for_each, count=count)
 
 
@@ -151,12 +153,12 @@ class EachNotInTrigger(LintRule, code="each-not-in-trigger"):
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.reachable_rules():
             each = ctx.members(EACH, rule) if rule.for_each is not None else frozenset()
-            if len(each) < 2 or _names_each(rule.conditions) or not _names_each(rule):
+            if len(each) < 2 or _names_each(rule.conditions, rule, ctx) or not _names_each(rule, rule, ctx):
                 continue
             for index, trigger in enumerate(rule.triggers):
                 for key in self._KEYS:
                     names = getattr(trigger, key, None)
-                    if names is not None and not _names_each(trigger) and ctx.members(names, rule) == each:
+                    if names is not None and not _names_each(trigger, rule, ctx) and ctx.members(names, rule) == each:
                         path: Path = ("rules", name, "triggers", index, key)
                         yield self.at(path, group=rule.for_each, count=len(each), key=key)
 
@@ -219,13 +221,20 @@ def _is_limited(rule: Rule) -> bool:
     return bool(limited or rule.effects(effects.SetsPhase) or rule.effects(effects.Ends))
 
 
-def _names_each(part: object) -> bool:
-    """Return whether a rule, or a part of one, names ``each`` or prints its name."""
+def _names_each(part: object, rule: Rule, ctx: LintContext) -> bool:
+    """Return whether a rule, or a part of one, names ``each``, prints its name, or is about what is kept for it."""
     for model, _ in walk(part):
-        if isinstance(model, Word) and model.stands_for(EACH):
+        if isinstance(model, Word) and (model.stands_for(EACH) or _is_own(model, rule, ctx)):
             return True
         for field in type(model).model_fields:
             value = getattr(model, field)
-            if value == EACH or (isinstance(value, tuple) and EACH in value):
+            if any(one == value or (isinstance(value, tuple) and one in value) for one in (EACH, OTHERS)):
                 return True
     return False
+
+
+def _is_own(word: Word, rule: Rule, ctx: LintContext) -> bool:
+    """Return whether a word means a counter, flag, timer or sequence of ``each`` without ``entity``."""
+    kept = (getattr(ctx.scenario, f"{kind}s").get(getattr(word, kind, "")) for kind in _KEPT)
+    per = next((one.per for one in kept if one is not None and one.per is not None), None)
+    return per is not None and not getattr(word, "entity", None) and ctx.roster.keeps(rule.for_each, per)

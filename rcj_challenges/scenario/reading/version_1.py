@@ -80,17 +80,18 @@ class _Rule:
             _flatten(node)
 
     def _action(self, action: Entries) -> None:
-        """A flag was turned over, and a sequence reset, of all that it is kept for, by an action of its own."""
+        """A flag was turned over, and a sequence reset, by an action of its own; without ``entity``, of all."""
         word, mark = _text(action, "action"), action.mark
+        kept = ((f"{key}s", _text(action, key)) for key in ("counter", "flag", "timer", "sequence"))
+        per = next((per for section, name in kept if (per := self._per(section, name))), "")
+        if word not in ("", "reset") and self._group and per and "entity" not in action.entries:
+            action.put("entity", Leaf(per, mark), mark)
         if word == "toggle_flag":
             action.put("action", Leaf("set_flag", mark), mark)
             action.put("to", Leaf("opposite", mark), mark)
         elif word == "sequence":
             action.put("action", Leaf("reset", mark), mark)
             action.entries.pop("do", None)
-            per = self._per("sequences", _text(action, "sequence"))
-            if per and self._group and "entity" not in action.entries:
-                action.put("entity", Leaf(per, mark), mark)
 
     def _amount(self, action: Entries, key: str) -> None:
         amount = action.entries.get(key)

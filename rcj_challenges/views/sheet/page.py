@@ -21,7 +21,7 @@ from rcj_challenges.scenario.models.scenario import (
     Scenario,
 )
 from rcj_challenges.scenario.placeholders import description_of
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import ENTRANTS, Roster
 from rcj_challenges.scenario.rule_effects import layouts_of
 from rcj_challenges.views.drawing.field import picture_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
@@ -108,8 +108,10 @@ def _criterion_words(phrases: Phrasebook, criterion: RankByScore | RankByTime | 
 
 
 def _own_counter(phrases: Phrasebook, name: str) -> str:
-    """Return the counter of one team: of one kept per robot, the sum of those of its own robots."""
-    owners = phrases.owners("counter", name)
+    """Return the counter of one team: its own, or of one kept per robot the sum of those of its own robots."""
+    owners = phrases.keepers("counter", name)
+    if owners == ENTRANTS:
+        return phrases.kept("counter", name, "each")
     if owners is None or not set(phrases.scenario.robots) & set(phrases.roster.expand(owners)):
         return phrases.kept("counter", name, None)
     return f"the sum of the counters {quoted_measure(name)} of its own robots"

@@ -10,7 +10,7 @@ from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted
 from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import BOUND, OTHER, WALLS, Roster, as_tuple, with_each
+from rcj_challenges.scenario.roster import BOUND, ENTRANTS, OTHER, WALLS, Roster, as_tuple, with_each
 from rcj_challenges.scenario.rule_effects import names_other, set_from_the_start
 
 _MEASURED_BY_SEVERAL = "what was measured"
@@ -54,6 +54,8 @@ class Phrasebook:
     # --- names -------------------------------------------------------------------------------------------------------
 
     def thing(self, name: str) -> str:
+        if name == "each" and self.is_team(name):
+            return "its robot"
         if name in ("each", OTHER, WALLS):
             return {"each": "it", OTHER: self.other}.get(name, "a wall")
         if name in self.scenario.draws and not _kind(self.scenario, name):
@@ -75,6 +77,8 @@ class Phrasebook:
         return "another of them" if names == than and self.is_several(as_tuple(names)[0]) else self.any_of(names)
 
     def all_of(self, names: Names) -> Subject:
+        if isinstance(names, str) and self.is_team(names):
+            return Subject(self._group(names), plural=names == "each" or len(self.roster.teams) > 2)
         if isinstance(names, str) and self.roster.is_others(names):
             own = self.roster.expand(self.each or ())[:1]
             where = " on the field" if own and own[0] in self.roster.entities else ""
@@ -84,6 +88,8 @@ class Phrasebook:
 
     def each_of(self, names: str) -> str:
         """Return the ones that a rule is repeated for: ``each of the robots``; of a group of one its only member."""
+        if self.is_team(names) and names != "each" and len(self.roster.teams) == 2:
+            return self._group(names)
         return f"each of {self._group(names)}" if self.is_several(names) else self._one(names)
 
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
@@ -131,8 +137,18 @@ class Phrasebook:
         """Return whether a name stands for robots, balls or obstacles: zones, gates and empty groups do not."""
         return any(member in self.roster.things for member in self.roster.expand(name)[:1])
 
-    def is_entrant(self, name: str) -> bool:
-        return name in self.scenario.entrants
+    def entrant(self, name: str) -> str:
+        if name in self.scenario.entrants:
+            return plain(name)
+        if name == ENTRANTS:
+            return "each team"
+        if self.each != ENTRANTS or name == OTHER:
+            return "its team" if name == "each" else f"the team of {self.thing(name)}"
+        return "this team" if name == "each" else self._group(name)
+
+    def is_team(self, name: str) -> bool:
+        """Return whether a name of the rule stands for an entrant or for several, and so for their robots."""
+        return self.each == ENTRANTS and (name == "each" or self.roster.is_others(name))
 
     def may_be_zone(self, name: str) -> bool:
         return any(one in self.scenario.zones for one in self.may_be(name))
@@ -157,7 +173,7 @@ class Phrasebook:
 
     # --- counters, flags, timers and sequences ------------------------------------------------------------------------
 
-    def kept(self, kind: str, name: str, entity: str | None) -> str:
+    def kept(self, kind: str, name: str, entity: Names | None) -> str:
         """Return a counter, flag, timer or sequence with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``.
 
         Without an entity, what is kept for each of several is read as one: counters as their sum, flags as any of them.
@@ -165,17 +181,23 @@ class Phrasebook:
         if kind == "counter" and name in self.scenario.entrants:
             return f"the score of {plain(name)}"
         which = quoted_measure(name) if kind == "counter" else quoted(name)
+        if entity is None and self.one_of_owners(kind, name) == "each":
+            entity = "each"
         if entity is not None:
-            return f"its {kind} {which}" if entity == "each" else f"the {kind} {which} of {self.thing(entity)}"
-        owners = self.owners(kind, name)
-        if owners is None:
+            if entity == "each":
+                return f"its {kind} {which}"
+            seats = self.scenario.entrants if self.keepers(kind, name) == ENTRANTS else ()
+            owners = [plain(one) if one in seats else self.each_of(one) for one in as_tuple(entity)]
+            return f"the {kind} {which} of {listed(owners, 'and')}"
+        per = self.owners(kind, name)
+        if per is None:
             return f"the {kind} {which}"
-        several = self.all_of(owners).text
+        several = self.all_of(per).text
         each = "the sum of the counters {} of {}" if kind == "counter" else f"the {kind} {{}} of any of {{}}"
         return each.format(which, several)
 
-    def every_kept(self, kind: str, name: str, entity: str | None) -> str:
-        owners = None if entity else self.keepers(kind, name)
+    def every_kept(self, kind: str, name: str, entity: Names | None) -> str:
+        owners = None if entity or self.one_of_owners(kind, name) == "each" else self.keepers(kind, name)
         if owners is None:
             return self.kept(kind, name, entity)
         which = quoted_measure(name) if kind == "counter" else quoted(name)
@@ -189,12 +211,15 @@ class Phrasebook:
         per = self.keepers(kind, name)
         return per if per is not None and self.is_several(per) else None
 
+    def is_one_owner(self, kind: str, name: str, entity: Names) -> bool:
+        is_seat = self.keepers(kind, name) == ENTRANTS and entity in self.scenario.entrants
+        return isinstance(entity, str) and (is_seat or not self.is_several(entity))
+
     def one_of_owners(self, kind: str, name: str) -> str | None:
         per = self.keepers(kind, name)
         if per is None:
             return None
-        is_own = self.each is not None and set(self.roster.expand(self.each)) <= set(self.roster.expand(per))
-        return "each" if is_own else per
+        return "each" if self.roster.keeps(self.each, per) else per
 
     def sequence_of(self, sequence: str) -> str:
         return self.scenario.sequences[sequence].followed
@@ -248,13 +273,19 @@ class Phrasebook:
         return f"the {kind} {drawn}{named}"
 
     def is_several(self, name: str) -> bool:
-        return self.roster.is_others(name) or len(self.roster.expand(name)) > 1
+        if self.is_team(name):
+            return name != "each" or any(len(robots) > 1 for robots in self.roster.teams.values())
+        return name == ENTRANTS or self.roster.is_others(name) or len(self.roster.expand(name)) > 1
 
     def _one(self, name: str) -> str:
         members = self.roster.expand(name)
         return self.thing(members[0] if len(members) == 1 else name)
 
     def _group(self, name: str) -> str:
+        if self.is_team(name):
+            return "its robots" if name == "each" else f"the other team{'s' if len(self.roster.teams) > 2 else ''}"
+        if name == ENTRANTS:
+            return "the teams"
         if self.roster.is_others(name):
             return "the others"
         if name in self.scenario.groups:

@@ -7,7 +7,7 @@ import re
 from rcj_challenges.rules.phrasing import number, plain
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
-from rcj_challenges.scenario.roster import as_tuple, has_other
+from rcj_challenges.scenario.roster import ENTRANTS, as_tuple, has_other
 from rcj_challenges.scenario.rule_effects import written_others
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
@@ -27,7 +27,7 @@ def says_sentence(phrases: Phrasebook, rule: Rule) -> str:
     words = fill_params(rule, phrases.scenario.params).strip()
     if not words:
         return ""
-    kind = phrases.kinds_of(rule.for_each) if rule.for_each is not None else ""
+    kind = "" if rule.for_each is None else "team" if rule.for_each == ENTRANTS else phrases.kinds_of(rule.for_each)
     blanks = {
         "{entity}": _entity(phrases, rule),
         "{each}": f"the {kind or plain(rule.for_each or '')}",
@@ -79,7 +79,7 @@ def _entity(phrases: Phrasebook, rule: Rule) -> str:
 
 
 def _is_over_entities(phrases: Phrasebook, rule: Rule) -> bool:
-    return rule.for_each is not None and phrases.is_on_field(rule.for_each)
+    return rule.for_each is not None and rule.for_each != ENTRANTS and phrases.is_on_field(rule.for_each)
 
 
 def _other(phrases: Phrasebook, rule: Rule) -> str:
