@@ -117,6 +117,15 @@ def packed(frames: Frames) -> str:
     return base64.b64encode(zlib.compress(b"".join(blocks), _ZLIB_LEVEL)).decode("ascii")
 
 
+def unpacked(text: str, channels: int, entities: int) -> Array:
+    """Return packed frames, int16 ``[T + 1, channel, entity]``."""
+    planes = np.frombuffer(zlib.decompress(base64.b64decode(text)), np.uint8).reshape(channels, entities, 2, -1)
+    columns = np.ascontiguousarray(planes.transpose(0, 1, 3, 2)).view("<i2")[..., 0]
+    for _ in range(2):
+        columns = np.cumsum(columns, axis=2, dtype=np.int16)
+    return columns.transpose(2, 0, 1)
+
+
 def _furthest(positions: Array) -> float:
     away = np.abs(positions)
     near = away[away < PARKED_BEYOND_M]  # no comparison holds for NaN

@@ -44,6 +44,9 @@ LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "matchContro
 PREMIERE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "premiere", "startpremiere")
 """The parts of the page that shows a recorded match at a time that was set: the feed is the recording and the clock."""
 
+STAGE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "startstage")
+"""The parts of the page that watches a recorded match which a server releases by its clock."""
+
 _LONGEST_DETAIL = 10_000
 _LONGEST_NAME = 200
 
@@ -67,6 +70,7 @@ class PageKind:
 REPLAY_PAGE = PageKind(SCRIPTS)
 LIVE_PAGE = PageKind(LIVE_SCRIPTS, ("style.css", "live.css"), connects_to="'self'")
 PREMIERE_PAGE = PageKind(PREMIERE_SCRIPTS, ("style.css", "live.css", "premiere.css"), "'self'", "'self'")
+STAGE_PAGE = PageKind(STAGE_SCRIPTS, ("style.css", "live.css", "stage.css"), connects_to="'self'")
 
 
 def write_replay(folder: Path, run: RunRecord | None = None) -> Path:

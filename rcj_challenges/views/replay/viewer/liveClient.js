@@ -1,12 +1,16 @@
 // Watching a match that is being played: the picture follows the match a moment behind, until one looks back.
 
-const CUSHION_S = 0.2;
-const QUIET_S = 0.5;
+const FEED_EVERY_S = 0.1; // unless the facts say otherwise
+const CUSHION_S = 0.1; // beyond the time from one part of the feed to the next
+const QUIET_S = 0.4;
 const MARKS_EVERY_S = 0.5;
 
 class LivePlayer extends Player {
   constructor(recording) {
     super(recording);
+    const every = recording.facts.feed_every_s ?? FEED_EVERY_S;
+    this.cushion = every + CUSHION_S;
+    this.quiet = every + QUIET_S;
     this.following = true;
     this.arrivals = [];
     this.playing = true;
@@ -21,7 +25,7 @@ class LivePlayer extends Player {
   /** Ticks a second at which the match comes. */
   pulse(now) {
     const first = this.arrivals[0], last = this.arrivals[this.arrivals.length - 1];
-    if (!first || now - last[0] > QUIET_S || last[0] - first[0] < 0.05) return 0;
+    if (!first || now - last[0] > this.quiet || last[0] - first[0] < 0.05) return 0;
     return (last[1] - first[1]) / (last[0] - first[0]);
   }
 
@@ -76,10 +80,10 @@ class LivePlayer extends Player {
     const { last } = this.recording;
     const pulse = this.pulse(now);
     const next = this.place + pulse * seconds;
-    const late = last - pulse * CUSHION_S - next;
+    const late = last - pulse * this.cushion - next;
     if (late > pulse * 1.5 + 60) {
       this.jumped = true;
-      this.place = last - pulse * CUSHION_S;
+      this.place = last - pulse * this.cushion;
     } else {
       const share = 1 - Math.exp(-seconds * (pulse ? 3 : 12));
       this.place = Maths.clamp(next + late * share, this.place, last);
