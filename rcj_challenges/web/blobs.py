@@ -94,3 +94,8 @@ def match_folder(site: Path) -> Path:
 def record_folder(site: Path, match: Match) -> Path:
     """Return the folder with the replay and the logs of a match; they are kept for a while only."""
     return match_folder(site) / "records" / str(match.pk)
+
+
+def stage_folder(site: Path) -> Path:
+    """Return the folder of what is shown on the stage."""
+    return site / "live"

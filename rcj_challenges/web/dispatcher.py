@@ -20,7 +20,7 @@ from typing import Any
 from django.db import DatabaseError, close_old_connections, connections
 
 from rcj_challenges.match.worker_pool import python_command
-from rcj_challenges.web import deadlines, events, jobs, matchmaking, seasons
+from rcj_challenges.web import deadlines, events, jobs, matchmaking, seasons, stage
 from rcj_challenges.web.blobs import Blobs, record_folder, report_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.jobs import Verdict
@@ -175,6 +175,7 @@ class Dispatcher:
                 self._cleans_at = time.monotonic() + _CLEAN_UP_S
                 jobs.clean_up(now)
                 seasons.drop_records(now)
+                stage.drop_shown(now)
         with self._lock:
             for claim in lost & self._held:
                 if claim in self._processes:
@@ -183,6 +184,7 @@ class Dispatcher:
             events.attend(self._now())
         with _logged():
             matchmaking.fill(self._config.lanes, self._now(), seasons.fitting_bases(self._versions))
+            stage.fill(self._now())
 
     def _do(self, job: Job, claim: tuple[int, int]) -> Callable[[Job], None]:
         """Do a job; return what stores its result."""

@@ -1,7 +1,8 @@
 """Stands before Django: Django reads every body whole before it looks at the address, so bodies are limited here.
 
 Limits by path and counted bytes; few bodies are read at a time, so that the other pages stay quick; an archive that a
-program sends is written to the disk and hashed while it comes.
+program sends is written to the disk and hashed while it comes. The feed of the stage is sent here, too: in Django each
+spectator would hold a thread.
 """
 
 from __future__ import annotations
@@ -16,8 +17,9 @@ from typing import Any
 
 from django.utils.translation import gettext, gettext_noop
 
-from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.blobs import Blobs, stage_folder
 from rcj_challenges.web.config import SiteConfig
+from rcj_challenges.web.stream import FEED, Stream
 
 Message = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[Message]]
@@ -47,10 +49,12 @@ class Front:
     Args:
         app: Django's.
         config: the settings of the site.
+        clock: by which feeds of the stage are sent, in s since 1970.
     """
 
-    def __init__(self, app: App, config: SiteConfig) -> None:
+    def __init__(self, app: App, config: SiteConfig, clock: Callable[[], float] = time.time) -> None:
         self._app = app
+        self._stream = Stream(stage_folder(config.folder), clock)
         self._config = config
         self._blobs = Blobs(config.folder)
         (config.folder / "incoming").mkdir(exist_ok=True)
@@ -64,6 +68,9 @@ class Front:
         if scope["type"] != "http":
             return
         scope["rcj.begun_at"] = datetime.now(UTC)
+        if scope["method"] == "GET" and (feed := FEED.fullmatch(scope["path"])):
+            await self._stream(feed[1], scope["query_string"], receive, send)
+            return
         headers = dict(scope["headers"])
         is_upload = scope["method"] == "POST" and scope["path"] in {FORM_PATH, RAW_PATH}
         limit = self._limit(scope["path"]) if is_upload else PAGE_BYTES

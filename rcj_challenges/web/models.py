@@ -330,6 +330,29 @@ class Match(models.Model):
         return f"match {self.number}" if self.kind == MatchKind.RATED else f"practice match {self.number}"
 
 
+class Show(models.Model):
+    """A match on the stage. Its times never change: spectators may be waiting for it.
+
+    Attributes:
+        begins_at: when its kick-off is shown.
+        ends_at: when all has been shown, as planned: nothing may reveal before that a half ended early.
+        is_chosen: whether an organizer put it there; what is there by itself gives way to that.
+        goals: time in s from the beginning, half, tick, side and score of each.
+    """
+
+    match = models.ForeignKey(Match, on_delete=models.CASCADE)
+    begins_at = models.DateTimeField()
+    ends_at = models.DateTimeField(db_index=True)
+    is_chosen = models.BooleanField()
+    goals = models.JSONField()
+
+    class Meta:
+        ordering = ("begins_at",)
+
+    def __str__(self) -> str:
+        return f"{self.match} on the stage"
+
+
 class JobState(models.TextChoices):
     """Where a job stands; ``stuck`` is an alarm on the organizers' desk."""
 

@@ -30,6 +30,7 @@ from rcj_challenges.web.models import (
     Match,
     MatchKind,
     Season,
+    Show,
     State,
     Submission,
     Team,
@@ -196,6 +197,11 @@ def open_rated(basis: Basis) -> QuerySet[Match]:
     return Match.objects.filter(basis=basis, kind=MatchKind.RATED, played_at=None, void="")
 
 
+def with_sides(matches: Any) -> Any:
+    """Load the teams of matches with them."""
+    return matches.select_related("basis__season", "blue__team", "yellow__team").defer("blue__report", "yellow__report")
+
+
 def enqueue(match: Match, kind: str, now: datetime, **fields: Any) -> Job:
     """Put a match into the queue, or one whose record is gone once more; called inside `jobs.writing`.
 
@@ -250,7 +256,10 @@ def drop_records(now: datetime) -> None:
 
 def forget(team: Team) -> None:
     """Remove what matches show of a team that is deleted; those played still count. Called inside `jobs.writing`."""
+    from rcj_challenges.web import stage  # noqa: PLC0415 - which builds on this
+
     theirs = Match.objects.filter(Q(blue__team=team) | Q(yellow__team=team))
     void(theirs.filter(played_at=None), _DELETED)
+    stage.take_off(Show.objects.filter(match__in=theirs))
     for match in theirs:
         shutil.rmtree(record_folder(current_site().folder, match), ignore_errors=True)

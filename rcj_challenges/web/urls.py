@@ -4,7 +4,7 @@ from django.contrib import admin
 from django.urls import path
 
 from rcj_challenges.web.api import api
-from rcj_challenges.web.views import desk, events, ladder, mentor, organize, practice, public, team
+from rcj_challenges.web.views import desk, events, ladder, mentor, organize, practice, public, stage, team
 
 handler404 = public.not_found
 urlpatterns = [
@@ -27,6 +27,8 @@ urlpatterns = [
     path("events", events.all_events, name="events"),
     path("events/<int:pk>", events.event, name="event"),
     path("events/<int:pk>/hashes.txt", events.hashes, name="event_hashes"),
+    path("live", stage.live, name="live"),
+    path("live/<int:pk>/page", stage.live_page, name="live_page"),
     path("my", team.my, name="my"),
     path("my/upload", team.upload, name="upload"),
     path("my/submissions/<int:pk>", team.submission, name="submission"),
@@ -52,6 +54,9 @@ urlpatterns = [
     path("desk/events/new", organize.new_event, name="new_event"),
     path("desk/events/<int:pk>", organize.desk_event, name="desk_event"),
     path("desk/events/<int:pk>/change", organize.change_event, name="change_event"),
+    path("desk/stage", stage.desk_stage, name="desk_stage"),
+    path("desk/matches/<int:pk>/stage", stage.put_on_stage, name="put_on_stage"),
+    path("desk/stage/<int:pk>/take-off", stage.take_off_stage, name="take_off_stage"),
     path("desk/invite", desk.new_invite, name="new_invite"),
     path("desk/export", desk.export, name="export"),
     path("admin/login/", public.login),  # Django's own has no back-off

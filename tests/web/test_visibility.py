@@ -41,6 +41,11 @@ TABLE: dict[str, tuple[str, str, set[str]]] = {
     "desk_event": ("GET", "event", ORGANIZER),
     "change_event": ("POST", "event", ORGANIZER),
     "void_match": ("POST", "match", ORGANIZER),
+    "live": ("GET", "", ALL),
+    "live_page": ("GET", "show", ALL),
+    "desk_stage": ("GET", "", ORGANIZER),
+    "put_on_stage": ("POST", "match", ORGANIZER),
+    "take_off_stage": ("POST", "show", ORGANIZER),
     "my": ("GET", "", TEAMS),
     "upload": ("POST", "", TEAMS),
     "submission": ("GET", "submission", READERS),
@@ -118,10 +123,17 @@ def answered(club: Club, role: str, name: str, owner: str) -> tuple[bool, Any]:
 
 @pytest.mark.parametrize("name", TABLE)
 def test_route_opens_for_the_roles_of_the_table_only(club: Club, name: str):
-    from rcj_challenges.web.models import Job
+    from rcj_challenges.web.blobs import record_folder, stage_folder
+    from rcj_challenges.web.config import current_site
+    from rcj_challenges.web.models import Job, Show
     from tests.web.conftest import NOW
 
     Job.objects.create(pk=1, kind="check", key="k", not_before=NOW, created_at=NOW)
+    Show.objects.create(pk=1, match=club.rated, begins_at=NOW, ends_at=NOW, is_chosen=True, goals=[])
+    (record_folder(current_site().folder, club.rated) / "replay.html").unlink()
+    shown = stage_folder(current_site().folder) / "1"
+    shown.mkdir(parents=True)
+    (shown / "page.html").write_text("<!doctype html>", encoding="utf-8")
     kind, roles = TABLE[name][1:]
     owners = ("own", "foreign", "deleted") if kind in {"team", "submission", "practice"} else ("own",)
     for owner in owners:

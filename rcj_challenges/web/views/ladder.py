@@ -16,7 +16,7 @@ from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_POST
 
 from rcj_challenges.records.folder import LOGS, REPLAY, RESULT
-from rcj_challenges.web import jobs, seasons
+from rcj_challenges.web import jobs, seasons, stage
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.blobs import record_folder
 from rcj_challenges.web.config import current_site
@@ -75,13 +75,8 @@ def team(request: HttpRequest, pk: int) -> HttpResponse:
             for one in accepted[:_MATCHES]
         ]  # fmt: skip
         theirs = Match.objects.filter(Q(blue__team=found) | Q(yellow__team=found), basis=basis, kind=MatchKind.RATED)
-        values["matches"] = with_sides(theirs.filter(played_at__isnull=False).order_by("-played_at"))[:_MATCHES]
+        values["matches"] = seasons.with_sides(theirs.filter(played_at__isnull=False).order_by("-played_at"))[:_MATCHES]
     return page(request, "ladder_team.html", **values)
-
-
-def with_sides(matches: Any) -> Any:
-    """Load the teams of matches with them."""
-    return matches.select_related("basis__season", "blue__team", "yellow__team").defer("blue__report", "yellow__report")
 
 
 def _seen_match(request: HttpRequest, pk: int) -> tuple[Viewer, Match, list[str]]:
@@ -91,7 +86,7 @@ def _seen_match(request: HttpRequest, pk: int) -> tuple[Viewer, Match, list[str]
         Http404: there is none, or it is practice of other teams.
     """
     viewer = viewer_of(request)
-    match = with_sides(Match.objects).filter(pk=pk, played_at__isnull=False).first()
+    match = seasons.with_sides(Match.objects).filter(pk=pk, played_at__isnull=False).first()
     if match is None:
         raise Http404
     own = [side for side in seasons.SIDES if viewer.may_see(getattr(match, side).team)]
@@ -157,20 +152,14 @@ def match_log(request: HttpRequest, pk: int, robot: str) -> HttpResponse:
 @csp(REPLAY_POLICY)  # type: ignore[arg-type]  # views take numbers, too
 def match_replay(request: HttpRequest, pk: int) -> HttpResponseBase:
     """Return the replay in an origin of its own, with details of the viewer's own programs only."""
-    from rcj_challenges.tournament.site.public import public_facts, read_replay  # noqa: PLC0415 - as above
-    from rcj_challenges.views.replay.page import page_text  # noqa: PLC0415
+    from rcj_challenges.views.replay.page import page_text  # noqa: PLC0415 - as above
 
     _, found, own = _seen_match(request, pk)
-    record = record_folder(current_site().folder, found)
     try:
-        replay = read_replay((record / REPLAY).read_text(encoding="utf-8"))
+        replay = stage.public_replay(found, _own_robots(record_folder(current_site().folder, found), own))
     except (OSError, ValueError) as error:
         raise Http404 from error
-    facts = public_facts(replay.facts, _own_robots(record, own))
-    for shown in facts["teams"]:
-        if not getattr(found, shown["name"]).team.is_name_public:
-            shown.pop("logo", None)
-    return HttpResponse(page_text(facts, replay.poses, {}))
+    return HttpResponse(page_text(replay.facts, replay.poses, {}))
 
 
 @require_POST

@@ -13,7 +13,6 @@ from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.models import Entry, JobState, Match, MatchKind, Season, State, Submission, Team
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.views.guards import only
-from rcj_challenges.web.views.ladder import with_sides
 
 _WAITING = 3
 _SHOWN = 20
@@ -25,7 +24,7 @@ def practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     season = Season.objects.filter(is_current=True, begun_at__isnull=False, ended_at=None).first()
     entry = Entry.objects.filter(team=viewer.team, season=season).select_related("active").first()
     either = Q(blue__team=viewer.team) | Q(yellow__team=viewer.team)
-    theirs = with_sides(Match.objects.filter(either, kind=MatchKind.PRACTICE))
+    theirs = seasons.with_sides(Match.objects.filter(either, kind=MatchKind.PRACTICE))
     values = {"season": season, "active": entry.active if entry else None, "matches": theirs[:_SHOWN],
               "opponents": _opponents(entry) if entry else ()}  # fmt: skip
     return page(request, "practice.html", viewer, **values)
