@@ -35,7 +35,8 @@ from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import PLACES, At
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
-from rcj_challenges.rules.values import VALUES, Amount, Lasts, Value
+from rcj_challenges.rules.triggers.tips_over import TipsOver
+from rcj_challenges.rules.values import VALUES, Amount, Lasts, Limit, Value, Waits
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.flag import FlagValue
@@ -372,6 +373,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
     (Point, "[x, y] in m"), (Colour, "colour"), (Value, "value"),
     (Amount, "[number](#values)"), (Lasts, "duration in s, or [number](#values)"),
+    (Limit, "[number](#values)"), (Waits, "[number](#values)"), (fields(TipsOver)["angle_rad"], "[number](#values)"),
     (Several, "[value](#values), or list of numbers"),
     (fields(Kick)["speed_mps"], "number, [lowest, highest], or [number](#values)"),
     (At, "[where](#where-things-go)"),

@@ -258,7 +258,7 @@ class FarFrom(Region):
     """
 
     def __init__(self, limit_m: float, *, square: bool) -> None:
-        self._limit = limit_m
+        self.limit_m = limit_m
         self._square = square
         self.anchor = (0.0, 0.0)
 
@@ -269,12 +269,12 @@ class FarFrom(Region):
 
     def contains(self, x_m: float, y_m: float) -> bool:
         """Return whether the point is further away than the limit."""
-        return self.distance_m(x_m, y_m) > self._limit
+        return self.distance_m(x_m, y_m) > self.limit_m
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a box that stays clear of the limit."""
         beside = cell_beside_square if self._square else cell_beside_circle
-        return beside(x_m, y_m, self.anchor, self._limit)
+        return beside(x_m, y_m, self.anchor, self.limit_m)
 
 
 def crossing(

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.rules.base import Condition
 from rcj_challenges.rules.several_conditions import as_one
+from rcj_challenges.rules.values import compile_duration
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
 from rcj_challenges.scenario.roster import ENTRANTS
@@ -43,7 +43,7 @@ def assemble(context: CompileContext) -> None:
 def _run_while(condition: Condition, clocks: dict[str | None, Clock], per: str | None, context: CompileContext) -> None:
     """Let the clocks of a timer run while a condition holds, each for its owner."""
     for owner, clock in clocks.items():
-        binder = RuleBinder(context, BoundRule("", owner, None, None, 0, None, ""), per)
+        binder = RuleBinder(context, BoundRule("", owner, None, None, None, None, ""), per)
         test = condition.compile(binder)
         context.track_alone(RunsWhile(context.state, context.hits, clock, test, context.trackers.reschedule), None)
 
@@ -74,7 +74,7 @@ def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext
         entrant=entrant,
         phases=None if rule.phases == "any" else frozenset(rule.phases),
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
-        cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),
+        cooldown_s=None,
         max_executions=most,
         says=fill_params(rule, context.scenario.params),
         priority=rule.priority,
@@ -88,5 +88,6 @@ def _compile(model: Rule, rule: BoundRule, context: CompileContext) -> None:
     binder = RuleBinder(context, rule, model.for_each)
     for position, trigger in enumerate(model.triggers):
         binder.bind(position, trigger)
+    rule.cooldown_s = None if model.cooldown_s is None else compile_duration(model.cooldown_s, binder)
     rule.tests = tuple(condition.compile(binder) for condition in model.conditions)
     rule.actions = tuple(action.compile(binder) for action in model.actions)

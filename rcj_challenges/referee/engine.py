@@ -176,6 +176,7 @@ class Referee:
         state.placed_at = [(x, y) for x, y, _ in state.poses]
         self._pose_history.add(state.poses)
         self._context.set_lengths()
+        self._clock_events.start()
         self._set_phase(state.phase)
         self._trackers.enter(state.phase, None)
         self._hits.report(self._clock_events.half_started)

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from itertools import groupby
 
 from rcj_challenges.core.play import Firing as FiringRecord
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.log_sentences import fill_blanks
 from rcj_challenges.referee.state import State
 from rcj_challenges.tracking.bound_rules import BoundRule, Denial, Denied, Firing, HitBuffer, TriggerHit
@@ -92,7 +93,8 @@ class Rounds:
             if rule.exclusive is not None:
                 won.add(rule.exclusive)
             rule.past.executions += 1
-            rule.past.rests_until = self._state.tick + rule.cooldown
+            if rule.cooldown_s is not None:
+                rule.past.rests_until = self._state.tick + ticks_from_s(rule.cooldown_s(firing) or 0.0)
             for act in rule.actions:
                 act(firing)
         self._log(firing, suppressed)

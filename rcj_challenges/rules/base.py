@@ -230,7 +230,8 @@ class Trigger(Word):
 
     def limit(self, _phrases: Phrases) -> float | None:
         """Return the limit of its measurement; None: it has none, or it is not known before."""
-        return float(getattr(self, self.LIMIT)) if self.LIMIT else None
+        limit = getattr(self, self.LIMIT) if self.LIMIT else None
+        return float(limit) if isinstance(limit, int | float) else None
 
     def measures_its_limit(self) -> bool:
         """Return whether what it measures is always the limit: it fires when something has lasted so long."""

@@ -21,7 +21,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point
-from rcj_challenges.rules.values import Amount
+from rcj_challenges.rules.values import Amount, Lasts, Limit, Waits
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, without_none
@@ -46,7 +46,7 @@ _TYPES = {str: "string", int: "integer", float: "number", bool: "boolean"}
 _BOUNDS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
 _SHARED: tuple[tuple[Shape, str], ...] = (
     (Names, "names"), (Name, "name"), (EventName, "event_name"), (DurationS, "duration_s"), (Point, "point"),
-    (Amount, "amount"),
+    (Amount, "amount"), (Lasts, "lasts"), (Limit, "limit"), (Waits, "waits"),
 )  # fmt: skip
 """Shapes that stand in so many places that the schema defines them once."""
 

@@ -42,7 +42,7 @@ class BoundRule:
         entrant: the entrant that ``each`` is, or for which it plays; else None.
         phases: in which it is active; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
-        cooldown: ticks it rests after firing.
+        cooldown_s: how long it rests after firing, in s.
         says: the sentence; what is known only when it fires is not filled in yet.
         priority: rules with a lower one fire in an earlier round.
         rank: place in the order of firing, over all bound rules.
@@ -52,7 +52,7 @@ class BoundRule:
     each: str | None
     phases: frozenset[str] | None
     exclusive: tuple[str, str | None] | None
-    cooldown: int
+    cooldown_s: Reader | None
     max_executions: int | None
     says: str
     priority: int = 0
@@ -112,7 +112,7 @@ class Firing:
         return self.rule.each if self.rule.about is None else None
 
 
-NO_FIRING = Firing(BoundRule("", None, None, None, 0, None, ""), None, "")
+NO_FIRING = Firing(BoundRule("", None, None, None, None, None, ""), None, "")
 """What belongs to no rule and to no entity reads values with it: the broadcast, lengths of timers and phases."""
 
 

@@ -40,9 +40,15 @@ class ClockEvents:
     half_ended: list[tuple[str | None, TriggerBinding]] = field(default_factory=list)
     entered: dict[str, list[tuple[str | None, TriggerBinding]]] = field(default_factory=dict)
     events: dict[tuple[str, str | None], list[TriggerBinding]] = field(default_factory=dict)
+    alarms: list[Callable[[], Alarm]] = field(default_factory=list)
     times: dict[int, list[Alarm]] = field(default_factory=dict)
     faults: dict[str, list[TriggerBinding]] = field(default_factory=dict)
     messages: dict[str, list[tuple[Callable[[str], bool], TriggerBinding]]] = field(default_factory=dict)
+
+    def start(self) -> None:
+        """Set all alarms, as a half starts: their times may be values."""
+        for alarm in self.alarms:
+            self.wait_for(alarm())
 
     def wait_for(self, alarm: Alarm, after: int = 0) -> None:
         """Set an alarm to its next time, later than a tick of the half's clock."""

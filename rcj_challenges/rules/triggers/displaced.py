@@ -1,5 +1,7 @@
 """The trigger ``displaced``."""
 
+from collections.abc import Callable
+from math import inf
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -7,9 +9,10 @@ from pydantic import Field
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell, FarFrom
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
-from rcj_challenges.rules.fields import Name, Names, Point, Positive, described
+from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.values import Limit, compile_limit, limit_key, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import PositionTracker
@@ -25,7 +28,7 @@ class Displaced(Trigger):
         alias="from",
         description="measured from where it was last placed (noise included), or from [x, y] in m",
     )
-    distance_m: Positive = described(..., "distance in m beyond which it fires")
+    distance_m: Limit = described(..., "distance in m beyond which it fires, read when it is placed")
     axis: Literal["either", "distance"] = described(
         "distance", "distance: the straight line; either: the larger of the shifts in x and in y"
     )
@@ -54,32 +57,37 @@ expect:
     SENTENCE = "it is more than 5 cm from where it was put"
 
     def bind(self, to: Binder) -> None:
+        limit_m = compile_limit(self.distance_m, to, most=inf, none=inf)
         for entity in to.entities(self.entity):
-            key = (entity, self.from_, self.distance_m, self.axis)
-            to.track(DisplacedTracker, key, entity, self).bindings.append(to.binding(entity))
+            key = (entity, self.from_, self.axis, *limit_key(to, self.distance_m))
+            to.track(DisplacedTracker, key, entity, self, limit_m).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
         origin = "where it was put" if self.from_ == "last_placement" else phrases.point(self.from_)
+        distance = limit_words(phrases, self.distance_m, metres, "m")
         how = "" if self.axis == "distance" else " in x or in y"
-        return f"{phrases.any_of(self.entity)} is more than {metres(self.distance_m)}{how} from {origin}"
+        return f"{phrases.any_of(self.entity)} is more than {distance}{how} from {origin}"
 
     def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
         is_fixed = self.from_ != "last_placement" and self.axis == "distance"
-        return ((self.from_, self.distance_m),) if is_fixed else ()
+        return ((self.from_, self.distance_m),) if is_fixed and isinstance(self.distance_m, int | float) else ()
 
 
 class DisplacedTracker(PositionTracker):
     """Follows how far an entity is from an anchor."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, model: Displaced) -> None:
+    def __init__(
+        self, state: RefereeState, hits: HitBuffer, entity: int, model: Displaced, limit_m: Callable[[], float]
+    ) -> None:
         super().__init__(state, hits, entity)
-        self._limit = model.distance_m
-        self._region = FarFrom(model.distance_m, square=model.axis == "either")
+        self._read_limit_m = limit_m
+        self._region = FarFrom(inf, square=model.axis == "either")
         self._fixed = None if isinstance(model.from_, str) else model.from_
         self._beyond = False
 
     def reset(self) -> None:
         """Measure from where it was put, or from the fixed point; what is beyond now was beyond before."""
+        self._region.limit_m = self._read_limit_m()
         self._region.anchor = self._state.placed_at[self.entity] if self._fixed is None else self._fixed
         x, y, _ = self._state.poses[self.entity]
         self._beyond = self._region.contains(x, y)
@@ -95,8 +103,8 @@ class DisplacedTracker(PositionTracker):
             x, y, _ = poses[self.entity]
             distance = self._region.distance_m(x, y)
             furthest = max(furthest, distance)
-            beyond = distance > self._limit
+            beyond = distance > self._region.limit_m
             went = went or (beyond and not self._beyond)
             self._beyond = beyond
         if went:
-            self._hits.report(self.bindings, furthest, self._limit)
+            self._hits.report(self.bindings, furthest, self._region.limit_m)

@@ -1,15 +1,16 @@
 """The trigger ``holds``."""
 
+from collections.abc import Callable
 from typing import Literal
 
 from pydantic import Field
 
-from rcj_challenges.core.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
+from rcj_challenges.core.timing import TICK_S, s_from_ticks, ticks_from_s, whole_ticks_within_s
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test, Trigger
 from rcj_challenges.rules.conditions import AnyCondition
-from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
-from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.several_conditions import as_one
+from rcj_challenges.rules.values import Lasts, Waits, compile_limit, duration_words, every_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, TickTracker
@@ -22,14 +23,14 @@ class Holds(Trigger):
     conditions: tuple[AnyCondition, ...] = Field(
         ..., strict=False, min_length=1, description="the conditions, which must all hold"
     )
-    for_s: NotNegative = described(
+    for_s: Waits = described(
         0.0,
-        "how long they must hold, in s; 0: it fires as soon as they become true, but not if they were "
-        "already true when the rule became active, or if a placement or removal made them true (spot_free, "
+        "how long they must hold, in s, read when they begin to; 0: it fires as soon as they become true, but not if "
+        "they were already true when the rule became active, or if a placement or removal made them true (spot_free, "
         "sequence and comparisons with lowest or highest notice that one tick later)",
     )
-    grace_s: NotNegative = described(0.0, "interruptions of up to this time, in s, do not count")
-    every_s: DurationS | None = described(
+    grace_s: Waits = described(0.0, "interruptions of up to this time, in s, do not count")
+    every_s: Lasts | None = described(
         None,
         "interval in s at which it fires again while they hold, counted from the end of for_s; if "
         "omitted: it fires once",
@@ -62,8 +63,13 @@ expect:
         return as_one(self.conditions)
 
     def bind(self, to: Binder) -> None:
-        condition = self.condition
-        tracker = HoldTracker(to.state, to.hits, condition.watched(to), condition.compile(to), self)
+        condition, every = self.condition, self.every_s
+        limits = (
+            compile_limit(self.for_s, to),
+            compile_limit(self.grace_s, to, none=0.0),
+            None if every is None else compile_limit(every, to, TICK_S),
+        )
+        tracker = HoldTracker(to.state, to.hits, condition.watched(to), condition.compile(to), *limits)
         # What it is about is known if one entity stands in the condition.
         tracker.bindings.append(to.binding(tracker.entities[0] if len(tracker.entities) == 1 else None))
         to.track_alone(tracker)
@@ -71,11 +77,14 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         if self.every_s and self.condition.is_always():
             # Without for_s it was true before when it begins: it comes for the first time after the first interval.
-            return f"{seconds(self.for_s or self.every_s)} have passed, and again every {seconds(self.every_s)}"
-        for_s = f"for {seconds(self.for_s)}" if self.for_s else ""
+            first = duration_words(phrases, self.for_s or self.every_s)
+            return f"{first} have passed, and again {every_words(phrases, self.every_s)}"
+        for_s = f"for {duration_words(phrases, self.for_s)}" if self.for_s else ""
         held = self.condition.describe(phrases)
-        grace = f" (interruptions of up to {seconds(self.grace_s)} do not count)" if self.grace_s else ""
-        again = f", and again every {seconds(self.every_s)} while that lasts" if self.every_s else ""
+        grace = (
+            f" (interruptions of up to {duration_words(phrases, self.grace_s)} do not count)" if self.grace_s else ""
+        )
+        again = f", and again {every_words(phrases, self.every_s)} while that lasts" if self.every_s else ""
         # Behind several it would read as if only the last of them had to last, behind a counter as if that said it.
         before = self.condition.is_several() or self.condition.compares_with_counter()
         lasting = " ".join(filter(None, (for_s, held) if before else (held, for_s)))
@@ -93,15 +102,14 @@ class HoldTracker(TickTracker):
     """Measures how long a condition holds; an interruption of up to the grace counts as holding."""
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, entities: tuple[int, ...], test: Test, model: Holds
-    ) -> None:
+        self, state: RefereeState, hits: HitBuffer, entities: tuple[int, ...], test: Test,
+        for_s: Callable[[], float], grace_s: Callable[[], float], every_s: Callable[[], float] | None,
+    ) -> None:  # fmt: skip
         super().__init__(state, hits, *entities)
         self._test = test
-        self._for_s = model.for_s
-        self._for = ticks_from_s(model.for_s)
-        self._grace = whole_ticks_within_s(model.grace_s)
-        self._every_s = model.every_s
-        self._again = 0
+        self._limits = for_s, grace_s, every_s
+        self._for_s, self._every_s = 0.0, None if every_s is None else 0.0
+        self._for = self._grace = self._again = 0
         self._began: int | None = None
         self._lost: int | None = None
         self._next = NEVER
@@ -110,14 +118,20 @@ class HoldTracker(TickTracker):
         """Begin to count now if it holds. What must hold for no time at all was true before and does not fire."""
         tick = self._state.tick
         self._lost = None
+        self._begin(tick)
         self._began = tick if self._test() else None
-        self._next, self._again = tick + self._for, 0
         if self._for == 0:
             self._next = self._next_after(tick, tick)
             if self._began is not None and self._every_s is None:
                 self.already_true = tick
             elif self.already_true == tick:  # what begins with the half is put in its place in the same tick
                 self.already_true = None
+
+    def _begin(self, tick: int) -> None:
+        for_s, grace_s, every_s = self._limits
+        self._for_s, self._every_s = for_s(), None if every_s is None else every_s()
+        self._for, self._grace = ticks_from_s(self._for_s), whole_ticks_within_s(grace_s())
+        self._began, self._next, self._again = tick, tick + self._for, 0
 
     def moved(self) -> None:
         """Reset, unless the condition is about several entities and held throughout."""
@@ -134,9 +148,9 @@ class HoldTracker(TickTracker):
                 self._lost = tick
             return
         if self._began is None or (self._lost is not None and tick - self._lost > self._grace):
-            self._began, self._next, self._again = tick, tick + self._for, 0
+            self._begin(tick)
         self._lost = None
-        if tick >= self._next:
+        if tick >= self._next and self._began is not None:
             self._next = self._next_after(tick, self._began)
             self._hits.report(self.bindings, s_from_ticks(tick - self._began), self._for_s)
 

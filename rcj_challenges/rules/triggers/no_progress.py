@@ -1,15 +1,17 @@
 """The trigger ``no_progress``."""
 
 from bisect import bisect_right
+from collections.abc import Callable
 from itertools import accumulate, pairwise
-from math import sqrt
+from math import inf, sqrt
 from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
-from rcj_challenges.rules.fields import DurationS, Names, Positive, described
+from rcj_challenges.rules.fields import DurationS, Names, described
 from rcj_challenges.rules.phrasing import metres, seconds
 from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.values import Limit, compile_limit, limit_key, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.state import RefereeState
@@ -24,7 +26,7 @@ class NoProgress(Trigger):
 
     trigger: Literal["no_progress"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
-    distance_m: Positive = described(..., "expected path length in m")
+    distance_m: Limit = described(..., "expected path length in m, read when the window begins after a placement")
     within_s: DurationS = described(..., "length of the window in s; for a held robot, the window starts on release")
 
     MEASURED = "the length in m of its path"
@@ -45,12 +47,14 @@ expect:
     SENTENCE = "the ball has moved less than 0.5 m in all over the last 10 s"
 
     def bind(self, to: Binder) -> None:
+        limit_m = compile_limit(self.distance_m, to, most=inf, none=0.0)
         for entity in to.entities(self.entity):
-            key = (entity, self.distance_m, self.within_s)
-            to.track(PathTracker, key, entity, self, to.pose_history).bindings.append(to.binding(entity))
+            key = (entity, self.within_s, *limit_key(to, self.distance_m))
+            to.track(PathTracker, key, entity, self, limit_m, to.pose_history).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        way = f"less than {metres(self.distance_m)} in all over the last {seconds(self.within_s)}"
+        distance = limit_words(phrases, self.distance_m, metres, "m")
+        way = f"less than {distance} in all over the last {seconds(self.within_s)}"
         return f"{phrases.any_of(self.entity)} has moved {way}"
 
 
@@ -66,11 +70,13 @@ class PathTracker(DueTracker):
     """
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, model: NoProgress, history: PoseHistory
-    ) -> None:
+        self, state: RefereeState, hits: HitBuffer, entity: int, model: NoProgress, limit_m: Callable[[], float],
+        history: PoseHistory,
+    ) -> None:  # fmt: skip
         super().__init__(state, hits, entity)
         self._entity = entity
-        self._length = model.distance_m
+        self._read_length_m = limit_m
+        self._length = 0.0
         self._pieces = ticks_from_s(model.within_s)
         self._history = history
         self._paths: list[float] = [0.0]  # path up to each judged position since the start
@@ -79,7 +85,7 @@ class PathTracker(DueTracker):
         history.need(self._pieces + 1)
 
     def reset(self) -> None:
-        self._paths = [0.0]
+        self._paths, self._length = [0.0], self._read_length_m()
         self._first = self._state.tick + 1
         self._short = False
         self.due = self._first + self._pieces if self._state.present[self._entity] else NEVER

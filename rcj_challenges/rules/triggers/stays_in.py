@@ -1,14 +1,15 @@
 """The trigger ``stays_in``."""
 
+from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.core.timing import s_from_ticks, whole_ticks_within_s
+from rcj_challenges.core.timing import TICK_S, s_from_ticks, whole_ticks_within_s
 from rcj_challenges.geometry.regions import Cell, Region
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
-from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
-from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, ZONES
+from rcj_challenges.rules.values import Lasts, Waits, compile_limit, duration_words, limit_key
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, DueTracker, PositionTracker
@@ -22,8 +23,8 @@ class StaysIn(Trigger):
     zone: Annotated[Names, ZONES] = described(
         ..., "a zone, each, or a draw's name; with a list or group: in any of them"
     )
-    limit_s: DurationS = described(..., "time in s; it fires as soon as the stay is longer")
-    grace_s: NotNegative = described(0.0, "absences of up to this time, in s, count as inside")
+    limit_s: Lasts = described(..., "time in s, read when the stay begins; it fires as soon as the stay is longer")
+    grace_s: Waits = described(0.0, "absences of up to this time, in s, count as inside")
 
     MEASURED = "the time in s of the stay"
     ASKS_WHERE = True
@@ -49,27 +50,31 @@ expect:
 
     def bind(self, to: Binder) -> None:
         zones, region = to.members(self.zone), to.region(self.zone)
+        limits = compile_limit(self.limit_s, to, TICK_S), compile_limit(self.grace_s, to, none=0.0)
         for entity in to.entities(self.entity):
-            key = (entity, zones, self.limit_s, self.grace_s)
-            tracker = to.track(StayTracker, key, entity, region, self)
+            key = (entity, zones, *limit_key(to, self.limit_s, self.grace_s))
+            tracker = to.track(StayTracker, key, entity, region, *limits)
             to.reset_with_draws(tracker, zones)
             tracker.bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        grace = f" (leaving for up to {seconds(self.grace_s)} does not count)" if self.grace_s else ""
-        stay = f"has been in {phrases.any_of(self.zone)} for more than {seconds(self.limit_s)}{grace}"
+        grace = f" (leaving for up to {duration_words(phrases, self.grace_s)} does not count)" if self.grace_s else ""
+        longer = f"for more than {duration_words(phrases, self.limit_s)}{grace}"
+        stay = f"has been in {phrases.any_of(self.zone)} {longer}"
         return f"{phrases.any_of(self.entity)} {stay}"
 
 
 class StayTracker(PositionTracker, DueTracker):
     """Measures how long an entity stays in a region; an absence of up to the grace counts as inside."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, region: Region, model: StaysIn) -> None:
+    def __init__(
+        self, state: RefereeState, hits: HitBuffer, entity: int, region: Region,
+        limit_s: Callable[[], float], grace_s: Callable[[], float],
+    ) -> None:  # fmt: skip
         super().__init__(state, hits, entity)
         self._region = region
-        self._limit_s = model.limit_s
-        self._longer = whole_ticks_within_s(model.limit_s) + 1  # the first tick at which it is longer than the limit
-        self._grace = whole_ticks_within_s(model.grace_s)
+        self._limits = limit_s, grace_s
+        self._limit_s, self._longer, self._grace = 0.0, 0, 0
         self._came: int | None = None
         self._left: int | None = None
         self._reported = False
@@ -82,6 +87,9 @@ class StayTracker(PositionTracker, DueTracker):
         self._begin(self._state.tick if inside else None)
 
     def _begin(self, tick: int | None) -> None:
+        limit_s, grace_s = self._limits
+        self._limit_s, self._grace = limit_s(), whole_ticks_within_s(grace_s())
+        self._longer = whole_ticks_within_s(self._limit_s) + 1  # the first tick at which it is longer than the limit
         self._came, self._reported = tick, False
         self.due = NEVER if tick is None else tick + self._longer
 

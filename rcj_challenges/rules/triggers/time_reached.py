@@ -2,10 +2,11 @@
 
 from typing import Literal
 
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.effects import AtTime
-from rcj_challenges.rules.fields import DurationS, described
-from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.fields import described
+from rcj_challenges.rules.values import Lasts, compile_limit, duration_words, every_words
 from rcj_challenges.tracking.clock_events import Alarm
 
 
@@ -13,8 +14,8 @@ class TimeReached(Trigger):
     """Fires when the clock of the half reaches a given time and, with ``every_s``, again at intervals."""
 
     trigger: Literal["time_reached"]
-    at_s: DurationS = described(..., "time since the start of the half in s")
-    every_s: DurationS | None = described(
+    at_s: Lasts = described(..., "time since the start of the half in s; a value is read as the half starts")
+    every_s: Lasts | None = described(
         None, "interval in s at which it fires again, counted from at_s, until the half ends; if omitted: it fires once"
     )
 
@@ -41,14 +42,16 @@ expect:
     SENTENCE = "the half has lasted 30 s"
 
     def bind(self, to: Binder) -> None:
-        to.clock_events.wait_for(Alarm(to.binding(), self.at_s, self.every_s))
+        binding, at_s = to.binding(), compile_limit(self.at_s, to, TICK_S)
+        every_s = None if self.every_s is None else compile_limit(self.every_s, to, TICK_S)
+        to.clock_events.alarms.append(lambda: Alarm(binding, at_s(), None if every_s is None else every_s()))
 
     def describe(self, phrases: Phrases) -> str:
-        again = f", and again every {seconds(self.every_s)} until it ends" if self.every_s else ""
+        again = f", and again {every_words(phrases, self.every_s)} until it ends" if self.every_s else ""
         # Where a phase stops the clock, the half lasts longer than that shows.
         half = phrases.period
         lasted = f"clock of the {half} has reached" if phrases.clock_may_stop() else f"{half} has lasted"
-        return f"the {lasted} {seconds(self.at_s)}{again}"
+        return f"the {lasted} {duration_words(phrases, self.at_s)}{again}"
 
     def measures_its_limit(self) -> bool:
         return not self.every_s

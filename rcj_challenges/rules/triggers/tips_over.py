@@ -1,15 +1,22 @@
 """The trigger ``tips_over``."""
 
-from math import acos, cos
+from collections.abc import Callable
+from math import acos, cos, pi
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
-from rcj_challenges.rules.fields import Names, Positive, described
+from pydantic import Field
+
+from rcj_challenges.rules.base import Binder, Phrases, Trigger, ValueWord
+from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.refs import Ref
+from rcj_challenges.rules.values import NUMBERS, compile_limit, limit_key, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
+
+_ANGLES = NUMBERS.beside({"number": Annotated[float, Field(gt=0, lt=3.1416)]}, lambda _value: "number")
+_Angle = Annotated[float | ValueWord, _ANGLES]
 
 
 class TipsOver(Trigger):
@@ -26,7 +33,7 @@ class TipsOver(Trigger):
             instead="an obstacle does not tip over: of a movable one 'displaced' tells that it was pushed away",
         ),
     ] = described(..., "a robot, a group of robots (any member), or each")
-    angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
+    angle_rad: _Angle = described(0.7854, "tilt of its vertical axis in rad, read when it is placed")
 
     MEASURED = "its tilt in rad"
     LIMIT = "angle_rad"
@@ -45,26 +52,31 @@ expect:
     SENTENCE = "one of the robots tilts by more than 45.8°"
 
     def bind(self, to: Binder) -> None:
+        limit_rad = compile_limit(self.angle_rad, to, most=pi, none=pi)
         for robot in to.entities(self.entity):
-            key = (robot, self.angle_rad)
-            to.track(TiltTracker, key, *key).bindings.append(to.binding(robot))
+            key = (robot, *limit_key(to, self.angle_rad))
+            to.track(TiltTracker, key, robot, limit_rad).bindings.append(to.binding(robot))
 
     def describe(self, phrases: Phrases) -> str:
-        return f"{phrases.any_of(self.entity)} tilts by more than {degrees(self.angle_rad)}"
+        return (
+            f"{phrases.any_of(self.entity)} tilts by more than {limit_words(phrases, self.angle_rad, degrees, 'rad')}"
+        )
 
 
 class TiltTracker(TickTracker):
     """Reports the tick in which a robot exceeds a tilt."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, robot: int, limit_rad: float) -> None:
+    def __init__(self, state: RefereeState, hits: HitBuffer, robot: int, limit_rad: Callable[[], float]) -> None:
         super().__init__(state, hits, robot)
         self._robot = robot
-        self._limit_rad = limit_rad
-        self._min_cos = cos(limit_rad)
+        self._read_limit_rad = limit_rad
+        self._limit_rad, self._min_cos = pi, -1.0
         self._tilted = False
 
     def reset(self) -> None:
         """Take the present tilt for the one before."""
+        self._limit_rad = self._read_limit_rad()
+        self._min_cos = cos(self._limit_rad)
         self._tilted = self._state.uprights[self._robot] < self._min_cos
 
     def update(self) -> None:

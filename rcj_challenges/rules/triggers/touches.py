@@ -1,13 +1,15 @@
 """The trigger ``touches``."""
 
+from collections.abc import Callable
 from typing import Annotated, Literal
 
-from rcj_challenges.core.timing import ticks_from_s
+from rcj_challenges.core.timing import TICK_S, ticks_from_s
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.effects import Touch
-from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
+from rcj_challenges.rules.fields import Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
+from rcj_challenges.rules.values import Lasts, compile_limit, every_words, limit_key
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.contacts import APART_S, Contacts, Pair, substeps_apart
 from rcj_challenges.tracking.state import RefereeState
@@ -27,10 +29,10 @@ class Touches(Trigger):
         "what it touches: entities, obstacles, walls, or a group; if all triggers of a rule are touches, its "
         "conditions and actions can use other for the touched thing",
     )
-    every_s: DurationS | None = described(
+    every_s: Lasts | None = described(
         None,
-        "interval in s at which it fires again while the contact lasts; if omitted: it fires "
-        "only once, when the contact begins",
+        "interval in s, read when the contact begins, at which it fires again while the contact lasts; if omitted: it "
+        "fires only once, when the contact begins",
     )
     apart_s: NotNegative = described(
         APART_S,
@@ -103,11 +105,12 @@ expect:
                     pair = (min(entity, other), max(entity, other))
                     tracker.by_pair.setdefault(pair, []).append(binding)
                     if self.every_s is not None:
-                        key = (pair, self.every_s, apart)
-                        to.track(LastingTouchTracker, key, to.contacts, *key).bindings.append(binding)
+                        key = (pair, apart, *limit_key(to, self.every_s))
+                        every_s = compile_limit(self.every_s, to, TICK_S)
+                        to.track(LastingTouchTracker, key, to.contacts, pair, every_s, apart).bindings.append(binding)
 
     def describe(self, phrases: Phrases) -> str:
-        again = f", and again every {seconds(self.every_s)} while they touch" if self.every_s else ""
+        again = f", and again {every_words(phrases, self.every_s)} while they touch" if self.every_s else ""
         one = f" (again after {seconds(self.apart_s)} apart)" if self.apart_s != APART_S else ""
         return f"{phrases.any_of(self.entity)} touches {phrases.another_of(self.other, than=self.entity)}{one}{again}"
 
@@ -134,17 +137,25 @@ class LastingTouchTracker(TickTracker):
     """Reports at intervals that two things still touch; that they began to is reported by the `TouchTracker`."""
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, contacts: Contacts, pair: Pair, every_s: float, apart: int
+        self,
+        state: RefereeState,
+        hits: HitBuffer,
+        contacts: Contacts,
+        pair: Pair,
+        every_s: Callable[[], float],
+        apart: int,
     ) -> None:
         super().__init__(state, hits)
         self._pair = pair
         self._apart = apart
-        self._every_s = every_s
+        self._read_every_s = every_s
+        self._every_s = 0.0
         self._began = self._times = self._due = 0
         self._contacts = contacts
 
     def reset(self) -> None:
         """Count from now on."""
+        self._every_s = self._read_every_s()
         self._began = self._state.tick
         self._count(1)
 

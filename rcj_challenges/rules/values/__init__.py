@@ -7,8 +7,8 @@ number.
 from collections.abc import Callable, Mapping
 from typing import Annotated, Any
 
-from rcj_challenges.rules.base import Firing, KeyedVocabulary, Phrases, Reader, Scope, ValueWord
-from rcj_challenges.rules.fields import LONGEST_S, DurationS, Scalar
+from rcj_challenges.rules.base import Binder, Firing, KeyedVocabulary, Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.fields import LONGEST_S, DurationS, NotNegative, Positive, Scalar
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
@@ -57,6 +57,10 @@ FOLDS = frozenset(word.KEY for word in _NUMBERS if issubclass(word, FoldedValue)
 DURATIONS = NUMBERS.beside({"number": DurationS}, lambda _value: "number", DrawnDuration)
 Lasts = Annotated[float | ValueWord, DURATIONS]
 """How long something lasts: a timer, a phase, or what a rule does for a time."""
+Limit = Annotated[float | ValueWord, NUMBERS.beside({"number": Positive}, lambda _value: "number")]
+"""A length or an angle that a trigger measures against."""
+Waits = Annotated[float | ValueWord, NUMBERS.beside({"number": NotNegative}, lambda _value: "number")]
+"""How long a trigger waits, or overlooks something: also not at all."""
 
 
 # --- what the referee makes of them -----------------------------------------------------------------------------------
@@ -91,6 +95,26 @@ def compile_duration(lasts_s: Lasts, to: Scope, least_s: float = 0.0) -> Callabl
     return duration_s
 
 
+def compile_limit(
+    limit: Amount, to: Binder, least: float = 0.0, most: float = LONGEST_S, none: float = LONGEST_S
+) -> Callable[[], float]:
+    """Return a function that reads a limit as its measuring begins; ``none``: what stands for no such number."""
+    if isinstance(limit, int | float):
+        return lambda: limit
+    read, firing = compile_amount(limit, to), Firing(to.rule, None, "")
+
+    def limit_now() -> float:
+        value = read(firing)
+        return none if value is None else min(max(least, float(value)), most)
+
+    return limit_now
+
+
+def limit_key(to: Binder, *limits: Amount | None) -> tuple[object, ...]:
+    """Return what tells trackers with these limits apart: a value may be another one for each."""
+    return (*limits, to.each if any(isinstance(one, ValueWord) for one in limits) else None)
+
+
 # --- what the sheet says of them --------------------------------------------------------------------------------------
 
 
@@ -103,12 +127,26 @@ def value_words(phrases: Phrases, value: Value) -> str:
 
 def duration_words(phrases: Phrases, lasts_s: Lasts) -> str:
     """Return a duration in words: ``15 s``, ``5 s or 8 s, as “pause” is drawn``, as many s as a counter says."""
-    if is_calculated(lasts_s):
-        return f"as many s as {amount_words(phrases, lasts_s)} says"
-    return lasts_s.describe(phrases) if isinstance(lasts_s, ValueWord) else seconds(lasts_s)
+    if isinstance(lasts_s, ValueWord) and not is_calculated(lasts_s):
+        return lasts_s.describe(phrases)
+    return limit_words(phrases, lasts_s, seconds, "s")
+
+
+def every_words(phrases: Phrases, every_s: Lasts) -> str:
+    """Return how often something comes again: ``every 5 s``, ``each time after as many s as a counter says``."""
+    words = duration_words(phrases, every_s)
+    return f"each time after {words}" if is_calculated(every_s) else f"every {words}"
+
+
+def limit_words(phrases: Phrases, limit: Amount, written: Callable[[float], str], unit: str) -> str:
+    """Return a limit in words: as it is written, or ``as many m as the counter “budget” says``."""
+    if isinstance(limit, int | float):
+        return written(limit)
+    return f"as many {unit} as {amount_words(phrases, limit)} says"
 
 
 __all__ = (
-    "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Lasts", "Value", "amount_words", "compile_amount",
-    "compile_duration", "compile_value", "duration_words", "is_calculated", "longest_s", "value_words",
+    "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Lasts", "Limit", "Value", "Waits", "amount_words",
+    "compile_amount", "compile_duration", "compile_limit", "compile_value", "duration_words", "every_words",
+    "is_calculated", "limit_key", "limit_words", "longest_s", "value_words",
 )  # fmt: skip

@@ -48,7 +48,7 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
         yield from _keys(model, path)
         yield from _numbers(model, path, roster)
         match model.moment() if isinstance(model, Trigger) and not is_half_set else None:
-            case AtTime(at_s) if at_s > longest_s:
+            case AtTime(at_s) if isinstance(at_s, int | float) and at_s > longest_s:
                 yield issue(
                     codes.TOO_LATE, (*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {longest_s:g} s"
                 )

@@ -31,6 +31,7 @@ _ON_FIELD = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups"
 """Sections whose names stand for something on the field."""
 _KEPT = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
 """What may be kept once, or for each member of a group, by the key that names it."""
+_BOUNDS = frozenset({"at_least", "at_most", "above", "below"})
 _ONLY_ROBOTS: dict[str, Any] = {"noun": ROBOTS.noun, "kinds": ROBOTS.kinds}
 _Wrong = tuple[Code, str, str]
 
@@ -307,10 +308,12 @@ class _Walker:
         over = getattr(model, "OVER", "") if _is_folded(path) or issubclass(model, Condition) else ""
         is_of_robots = any(key in node.entries for key in getattr(model, "OF_ROBOTS", ()))
         robots = getattr(model, "OWNER", "") if is_of_robots else ""
+        is_bounded = "draw" in node.entries and not _BOUNDS.isdisjoint(node.entries)
         found = []
         for key, reference, default in refs_of(model):
             one = replace(reference, **_ONLY_ROBOTS) if key == robots and isinstance(reference, Ref) else reference
             one = replace(one, groups=True) if key == over and isinstance(one, Ref) else one
+            one = replace(one, numbers=(-inf, inf)) if is_bounded and isinstance(one, SectionRef) else one
             if isinstance(one, Ref) and "entrant" in one.kinds and not self._is_per_entrants(node):
                 one = replace(one, kinds=one.kinds - {"entrant"})
             found.append((key, one, default))

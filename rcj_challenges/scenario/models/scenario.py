@@ -12,7 +12,7 @@ from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point
 from rcj_challenges.rules.message import Said
 from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEP, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
-from rcj_challenges.rules.values import Value
+from rcj_challenges.rules.values import Lasts, Value
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
 from rcj_challenges.scenario.models.guidelines import Guideline
 from rcj_challenges.scenario.models.limits import Limits
@@ -82,8 +82,10 @@ class Rule(Strict):
         "a name shared by several rules, of which at most one fires per tick; rules with "
         "for_each compete per member and never with rules without it",
     )
-    cooldown_s: DurationS | None = described(
-        None, "time in s after a firing during which the rule cannot fire again; counted per member with for_each"
+    cooldown_s: Lasts | None = described(
+        None,
+        "time in s after a firing, read then, during which the rule cannot fire again; counted per member with "
+        "for_each",
     )
     max_executions: Annotated[
         _Times | Annotated[dict[Name, _Times], Field(min_length=1, max_length=1)] | None, replace(KEEP, keys=True)

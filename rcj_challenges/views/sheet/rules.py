@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.effects import Draws, Emits, SetsSpot, Writes
-from rcj_challenges.rules.phrasing import listed, quoted, seconds, times
+from rcj_challenges.rules.phrasing import listed, quoted, times
+from rcj_challenges.rules.values import duration_words
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.walk import walk
@@ -55,7 +56,7 @@ def _sentence(rule: Rule, phrases: Phrasebook) -> str:
     each = "for each of them " if rule.for_each else ""
     keep, most = rule.limit
     limits = [
-        *([f"{each}at most once in {seconds(rule.cooldown_s)}"] if rule.cooldown_s else []),
+        *([f"{each}at most once in {duration_words(phrases, rule.cooldown_s)}"] if rule.cooldown_s else []),
         *([f"{each}at most {times(most)} {_during(keep, phrases)}"] if most else []),
         *(["in every phase"] if rule.phases == "any" else []),
     ]
