@@ -19,7 +19,7 @@ from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, as_tuple
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
-from rcj_challenges.tracking.places import Anchor, StartPose
+from rcj_challenges.tracking.places import Anchor, Poses, StartPose
 from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.target import Target
 
@@ -207,6 +207,21 @@ class NameScope:
             return self._decided(member, self._one_anchor)
         anchor = self._one_anchor(member)
         return lambda: anchor
+
+    def places(self, what: Names | Point) -> Callable[[Poses, int | None], list[Point]]:
+        if isinstance(what, tuple) and not isinstance(what[0], str):
+            return lambda _poses, _entity: [what]
+        anchors = [self.anchor(one) for one in self.members(what)]
+        if len(anchors) == 1:
+            return lambda poses, _entity: [anchors[0]().locate(poses)]
+        present = self.state.present
+
+        def find(poses: Poses, entity: int | None) -> list[Point]:
+            found = (anchor() for anchor in anchors)
+            counting = (one for one in found if one.entity is None or (present[one.entity] and one.entity != entity))
+            return [one.locate(poses) for one in counting]
+
+        return find
 
     def _one_anchor(self, name: str) -> Anchor:
         roster = self.roster

@@ -10,7 +10,7 @@ from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, TriggerBin
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
-from rcj_challenges.tracking.places import Anchor, StartPose
+from rcj_challenges.tracking.places import Anchor, Poses, StartPose
 from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.sequences import SequenceTracker
 from rcj_challenges.tracking.state import Number, RefereeState
@@ -85,6 +85,9 @@ class Scope(Protocol):
 
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
         """Return a function that finds the entity, spot or point of a name; of a draw's name, what it decided."""
+
+    def places(self, what: Names | Point) -> Callable[[Poses, int | None], list[Point]]:
+        """Return a function that finds where things are: of several those on the field, without one entity."""
 
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
         """Return a function that draws a point of zones, every one equally likely."""

@@ -28,14 +28,15 @@ class Strict(BaseModel):
     Attributes:
         either: keys of which exactly one must be given; what a file gives takes the place of what its base gave.
         EXCLUDES: keys, each with those that cannot stand beside it.
-        TOGETHER: keys, each with another one and the value of that with which, and only with which, it must be given.
+        TOGETHER: keys, each with another one and the value of that with which (None: any), and only with which, it must
+            be given.
         REQUIRES: sets of keys, of which one must be given.
         NOTES: what holds for all rules that use it, in sentences for the rule sheet.
     """
 
     either: ClassVar[tuple[str, ...]] = ()
     EXCLUDES: ClassVar[tuple[tuple[str, tuple[str, ...]], ...]] = ()
-    TOGETHER: ClassVar[tuple[tuple[str, str, str], ...]] = ()
+    TOGETHER: ClassVar[tuple[tuple[str, str, str | None], ...]] = ()
     REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     NOTES: ClassVar[tuple[str, ...]] = ()
 

@@ -121,6 +121,7 @@ MEASURED_TO = Ref(
 )
 SEEN = Ref("entity, obstacle or spot", MOVING | FIXED | _SPOT, each=True, drawn=True)
 ANCHOR = Ref("entity or spot", MOVING | _SPOT, each=True, drawn=True)
+ANCHORS = replace(ANCHOR, groups=True)
 WHOSE = Ref("entity", KEEPING | {"entrant"}, each=True)
 WHOSE_OF = replace(WHOSE, groups=True)
 KEEPERS = Ref("entity, obstacle, zone or gate", KEEPING, groups=True)

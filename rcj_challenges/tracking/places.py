@@ -12,12 +12,16 @@ from rcj_challenges.core.play import Pose2
 Point = tuple[float, float]
 
 
-class Board(Protocol):
-    """The field while things are placed."""
+class Poses(Protocol):
+    """Where the entities are."""
 
     @property
     def poses(self) -> list[Pose2]:
         """By entity, where it is: placed already, or not moved, or (lifted) where it was."""
+
+
+class Board(Poses, Protocol):
+    """The field while things are placed."""
 
     def free(self, spot: Point, clearance_m: float, entity: int | None) -> bool:
         """Return whether no robot's or ball's centre is nearer to a spot than a strict limit in m.
@@ -36,7 +40,7 @@ class StartPose(NamedTuple):
 class Anchor(NamedTuple):
     """Something beside which things are put: where it is now, and the entity's index; None: a spot or a point."""
 
-    locate: Callable[[Board], Point]
+    locate: Callable[[Poses], Point]
     entity: int | None = None
 
 

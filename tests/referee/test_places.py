@@ -138,6 +138,59 @@ class TestPlaceNearestFree:
         assert put(play, "B1") == pytest.approx((0.0, -0.2))  # the post leaves no room beside the spot
 
 
+class TestPlacesApart:
+    @pytest.mark.parametrize(
+        ("at", "expected"),
+        [
+            ("{nearest_free: [middle_blue, middle_yellow], to: [Y1, Y2]}", (0.0, -0.2)),
+            ("{furthest_free: [middle_blue, middle_yellow], from: yellow}", (0.0, 0.2)),
+            ("{furthest_free: [middle_blue, middle_yellow], from: [B1, middle_blue]}", (0.0, -0.2)),
+            ("{furthest_free: [middle_blue, middle_yellow], from: [0, 0.3]}", (0.0, -0.2)),
+        ],
+    )
+    def test_of_several_the_nearest_counts(self, stage, at, expected):
+        play = stage(placing("ball", at))
+        play.place("Y2", 0.5, 0.6)  # further from both spots than Y1
+        play.place("Y1", -0.3, -0.2)
+        assert put(play) == pytest.approx(expected)
+
+    def test_what_is_off_the_field_and_what_is_placed_do_not_count(self, stage):
+        removed = "rules: {off: {triggers: [{trigger: half_started}], actions: [{action: remove, entity: Y2}]}}"
+        put_back = placing("Y1", "{furthest_free: [middle_blue, middle_yellow], from: yellow, clearance_m: 0}")
+        play = stage(removed, put_back)
+        play.place("Y1", 0.0, 0.3)
+        assert put(play, "Y1") == pytest.approx((0.0, 0.2))  # none is left: the first
+
+    @pytest.mark.parametrize(
+        "at", ["uniform_in: area", "on_line: [[-0.4, 0.1], [0.4, 0.1]]", "choice: [[0.1, 0.1], [0.3, 0.1]]"]
+    )
+    @pytest.mark.parametrize(("names", "centres"), [("[0, 0]", [(0, 0)]), ("[B1, Y1]", [(0.0, 0.1), (-0.2, 0.1)])])
+    def test_random_place_is_so_far_from_all(self, stage, at, names, centres):
+        area = "zones: {area: {shape: rect, x_min_m: -0.4, x_max_m: 0.4, y_min_m: 0, y_max_m: 0.2}}"
+        play = stage(area, placing("ball", f"{{{at}, from: {names}, at_least_m: 0.2}}"))
+        play.place("B1", 0.0, 0.1)
+        play.place("Y1", -0.2, 0.1)
+        places = many(play)
+        assert all(math.dist(place, centre) >= 0.2 for place in places for centre in centres)
+
+    def test_without_such_a_place_nothing_is_placed(self, stage):
+        play = stage(placing("ball", "{on_line: [[-0.1, 0.1], [0.1, 0.1]], from: centre, at_least_m: 0.3}"))
+        play.place("ball", 0.5, 0.5)
+        assert put(play) == pytest.approx((0.5, 0.5))
+        assert [(one.rule, one.suppressed) for one in play.firings if one.suppressed] == [("act", "no_room")]
+
+    def test_spot_is_set_so_far_from_them(self, stage):
+        rule = on_fault(
+            "Y1", "{action: set_spot, spot: centre, to: {on_line: [[-0.4, 0], [0.4, 0]], from: ball, at_least_m: 0.2}}"
+        )
+        play = stage(rule)
+        found = []
+        for _ in range(40):
+            fail(play, "Y1")
+            found.append(play.referee.spots["centre"])
+        assert all(math.dist(one, (0, 0)) >= 0.2 for one in found)
+
+
 class TestPlaceFurthestFree:
     def test_it_is_the_furthest_free_spot(self, stage):
         play = stage(placing("B1", "{furthest_free: neutral_spots}"))

@@ -85,6 +85,7 @@ expect:
         where = self._where(to)
         mirror = None if self.mirror is None else self.mirror.compile(state)
         is_random = isinstance(self.to, UniformIn | OnLine)
+        is_apart = self.to.apart(to) if isinstance(self.to, UniformIn | OnLine) else None
 
         def act(_firing: Firing) -> None:
             decided = to.decided_place(name) if is_random else None
@@ -97,7 +98,7 @@ expect:
                 if point is None:
                     return
                 there = (point[0] * sign_x + 0.0, point[1] * sign_y + 0.0)  # adding 0 makes no -0
-                if not is_random or to.is_on_floor(there):
+                if is_apart is None or (to.is_on_floor(there) and is_apart(there, state, None)):
                     state.spots[name] = there
                     return
 

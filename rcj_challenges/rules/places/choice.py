@@ -5,13 +5,14 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, Scope
 from rcj_challenges.rules.fields import Name, Point
 from rcj_challenges.rules.phrasing import listed
+from rcj_challenges.rules.places.apart import RandomPlace
 from rcj_challenges.rules.refs import Ref
 
 
-class Choice(PlaceWord):
+class Choice(RandomPlace):
     """One of several spots or points, chosen with equal probability, or the one that a draw selected."""
 
     choice: Annotated[tuple[Name | Point, ...], Ref("spot", frozenset({"spot"}), groups=True, drawn=True)] = Field(
@@ -36,11 +37,11 @@ expect:
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return a function that draws a spot or point; a draw among them stands for the spot that it decided."""
         options = [option for one in self.choice for option in _options(one, to)]
-        return PlaceResolver(lambda request: request.mirrored(request.rng.choice(options)()), random=len(options) > 1)
+        return PlaceResolver(self.finder(to, lambda rng: rng.choice(options)()), random=len(options) > 1)
 
     def describe(self, phrases: Phrases) -> str:
         options = [phrases.any_of(one) if isinstance(one, str) else phrases.point(one) for one in self.choice]
-        return f"on {listed(options, 'or')}"
+        return self.with_distance(f"on {listed(options, 'or')}", phrases)
 
 
 def _options(option: Name | Point, to: Scope) -> list[Callable[[], Point]]:

@@ -2,25 +2,21 @@
 
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
-from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
-from rcj_challenges.rules.phrasing import FREE_SPOT_NOTE, USUALLY_FREE_M
-from rcj_challenges.rules.places.free_spots import CLEARANCE_DESCRIPTION, compile_free_spot, describe_free_spot
-from rcj_challenges.rules.refs import ANCHOR, SPOTS
+from rcj_challenges.rules.fields import Names, Point, described
+from rcj_challenges.rules.places.free_spots import REFERENCES, FreeSpot
+from rcj_challenges.rules.refs import ANCHORS, SPOTS
 
 
-class NearestFree(PlaceWord):
+class NearestFree(FreeSpot):
     """The nearest free spot, or one chosen at random among the nearest."""
 
     nearest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
-    to: Annotated[Name | Point | None, ANCHOR] = described(
-        None, "what to be near: an entity, spot, point, each, or a draw's name; if omitted: the entity being placed"
-    )
-    choose_among: int = described(1, "choose at random among this many of the nearest", ge=1, le=100)
-    clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)
+    to: Annotated[Names | Point | None, ANCHORS] = described(None, f"what to be near: {REFERENCES}")
 
     KEY = "nearest_free"
-    NOTES = (FREE_SPOT_NOTE,)
+    REFERENCE = "to"
+    SIGN = 1.0
+    HOW = "nearest to"
     EXAMPLE = """
 rules:
   put_back:
@@ -36,9 +32,3 @@ expect:
     tolerance_m: 0.61
 """
     SENTENCE = "on the free one of the neutral spots that is nearest to where it is"
-
-    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        return compile_free_spot(self, to, self.nearest_free, self.to, sign=1.0)
-
-    def describe(self, phrases: Phrases) -> str:
-        return describe_free_spot(self, phrases, "nearest to", self.nearest_free, self.to)

@@ -5,11 +5,12 @@ from random import Random
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, Scope
 from rcj_challenges.rules.fields import Point
+from rcj_challenges.rules.places.apart import RandomPlace
 
 
-class OnLine(PlaceWord):
+class OnLine(RandomPlace):
     """A random point on a line segment; all points are equally likely."""
 
     on_line: tuple[Point, Point] = Field(..., strict=False, description="both ends, [[x, y], [x, y]] in m")
@@ -20,7 +21,7 @@ class OnLine(PlaceWord):
 rules:
   put:
     triggers: [{trigger: half_started}]
-    actions: [{action: place, entity: ball, at: {on_line: [[-0.45, 0], [0.45, 0]]}}]
+    actions: [{action: place, entity: ball, at: {on_line: [[-0.45, 0], [0.45, 0]], from: robots, at_least_m: 0.25}}]
 expect:
   somewhere_on_the_line:
     keyframes: [{at_s: 1}]
@@ -28,11 +29,12 @@ expect:
     poses: {ball: [0, 0]}
     tolerance_m: 0.45
 """
-    SENTENCE = "anywhere on the line from (-0.45, 0) to (0.45, 0)"
+    SENTENCE = (
+        "anywhere on the line from (-0.45, 0) to (0.45, 0) that is at least 0.25 m from the nearest of the robots"
+    )
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        sample = self.sampler(to)
-        return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
+        return PlaceResolver(self.finder(to, self.sampler(to)), random=True)
 
     def sampler(self, _to: Scope) -> Callable[[Random], Point]:
         (ax, ay), (bx, by) = self.on_line
@@ -44,10 +46,10 @@ expect:
         return sample
 
     def describe(self, phrases: Phrases) -> str:
-        return f"anywhere on {self._line(phrases)}"
+        return self.with_distance(f"anywhere on {self._line(phrases)}", phrases)
 
     def aim(self, phrases: Phrases) -> str:
-        return f"a random point of {self._line(phrases)}"
+        return self.with_distance(f"a random point of {self._line(phrases)}", phrases)
 
     def _line(self, phrases: Phrases) -> str:
         start, end = map(phrases.point, self.on_line)

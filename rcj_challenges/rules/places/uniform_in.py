@@ -4,12 +4,13 @@ from collections.abc import Callable
 from random import Random
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, Scope
 from rcj_challenges.rules.fields import Names, Point, described
+from rcj_challenges.rules.places.apart import RandomPlace
 from rcj_challenges.rules.refs import Ref
 
 
-class UniformIn(PlaceWord):
+class UniformIn(RandomPlace):
     """A random point in a zone or in the union of several; all points are equally likely."""
 
     uniform_in: Annotated[Names, Ref("zone", frozenset({"zone"}), groups=True)] = described(
@@ -35,14 +36,13 @@ expect:
     SENTENCE = "anywhere in the middle"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        sample = self.sampler(to)
-        return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
+        return PlaceResolver(self.finder(to, self.sampler(to)), random=True)
 
     def sampler(self, to: Scope) -> Callable[[Random], Point]:
         return to.random_point(self.uniform_in)
 
     def describe(self, phrases: Phrases) -> str:
-        return f"anywhere in {phrases.any_of(self.uniform_in)}"
+        return self.with_distance(f"anywhere in {phrases.any_of(self.uniform_in)}", phrases)
 
     def aim(self, phrases: Phrases) -> str:
-        return f"a random point of {phrases.any_of(self.uniform_in)}"
+        return self.with_distance(f"a random point of {phrases.any_of(self.uniform_in)}", phrases)

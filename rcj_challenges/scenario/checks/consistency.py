@@ -85,8 +85,10 @@ def _keys(model: Strict, path: Path) -> Iterator[Diagnostic]:
             at, other = (*path, also), (*path, key)
             yield issue(codes.CONFLICTING_KEYS, at, message, "leave one of them out", at_key=True, other=other)
     for key, beside, value in model.TOGETHER:
-        if (getattr(model, key) is not None) != (getattr(model, beside) == value):
-            yield issue(codes.MISSING_KEY, path, f"'{key}' belongs to '{beside}: {value}'", "give both, or neither")
+        other = getattr(model, beside)
+        if (getattr(model, key) is not None) != (other is not None if value is None else other == value):
+            what = beside if value is None else f"{beside}: {value}"
+            yield issue(codes.MISSING_KEY, path, f"'{key.rstrip('_')}' belongs to '{what}'", "give both, or neither")
     choices = model.REQUIRES or tuple((key,) for key in model.either)
     if choices and not any(all(getattr(model, key) is not None for key in keys) for keys in choices):
         needed = ", or ".join(" and ".join(keys) for keys in choices).replace("in_", "in")

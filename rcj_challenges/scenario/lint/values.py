@@ -91,7 +91,7 @@ class NeverReached(LintRule, code="never-reached"):
     message = "{limit:g} {unit} is never reached: {why}"
     help = "correct it; the unit is {unit}"
 
-    _LENGTHS = ("min_clearance_m", "clearance_m", "distance_m")
+    _LENGTHS = ("min_clearance_m", "clearance_m", "distance_m", "at_least_m")
     _PUSHED = 5  # times as fast as it drives a robot may slide after a hit
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
