@@ -58,8 +58,8 @@ class MixedLoad:
             self._set(robot, max(-10.0, min(10.0, ahead - turn)), max(-10.0, min(10.0, ahead + turn)))
 
     def _set(self, robot: int, left: float, right: float) -> None:
-        self._world.set_wheel(robot, "left", left, math.inf)
-        self._world.set_wheel(robot, "right", right, math.inf)
+        self._world.set_wheel(robot, 0, left, math.inf)
+        self._world.set_wheel(robot, 1, right, math.inf)
 
 
 def measure(make_world: Callable[[], World], seconds: float) -> dict[str, float]:

@@ -15,6 +15,7 @@ SMALLEST = {
     "physics_floor": ["1"],
     "sensing_cost": ["--ticks", "50"],
     "referee_cost": ["--ticks", "100", "--repeats", "1", "--json"],
+    "omni_cost": ["--pairs", "2", "--ticks", "10", "--json"],
     "inputs": ["zones", "--json"],
     "club": ["--minutes", "0.5", "--teams", "4", "--half-s", "2", "--json"],
     "challenges": ["--rounds", "1", "--json"],
