@@ -34,7 +34,7 @@ _COMMAND = [sys.executable, "-P", "-m", "rcj_challenges", "site"]
 _SPEED = re.compile(r"^MAX_SPEED = 10\b", re.MULTILINE)
 _UPLOADS = 6
 _AGAIN = 5
-_SETTLE_S = 300.0
+_SETTLE_S = 900.0
 
 
 def variation(number: int) -> bytes:
