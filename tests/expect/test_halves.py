@@ -22,8 +22,8 @@ rules:
     actions: [{action: count, counter: own, entity: each}]
   over: {triggers: [{trigger: half_ended}], actions: [{action: count, counter: ends}]}
   decided:
-    triggers: [{trigger: holds, condition: {condition: counter, counter: goals, at_least: 2}}]
-    conditions: [{condition: flag, flag: won}]
+    triggers: [{trigger: holds, conditions: [{counter: goals, at_least: 2}]}]
+    conditions: [{flag: won}]
     actions: [{action: end, what: match}]
   win: {triggers: [{trigger: half_ended}], actions: [{action: set_flag, flag: won}]}
 result: {rank: [{score: descending}, {counter: own, order: ascending}]}
@@ -88,7 +88,7 @@ class TestHalvesInARow:
         )
         assert run(
             block,
-            "rules: {decided: {triggers: [{trigger: enters, entity: ball, zone: goal}], conditions: [{condition: half, equals: 1}], actions: [{action: end}]}}",
+            "rules: {decided: {triggers: [{trigger: enters, entity: ball, zone: goal}], conditions: [{word: halftime, equals: 1}], actions: [{action: end}]}}",
         ) == [
             "round 2: missing: rule decided, event 1 of the test",
             "round 2: note: decided was triggered at 0.32 s, and {word: halftime, equals: 1} did not hold",

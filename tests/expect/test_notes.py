@@ -14,7 +14,7 @@ TWICE = (
     "{at_s: 0.96, place: {ball: [0, 0.75]}}], "
 )
 ENTERS = "triggers: [{trigger: enters, entity: ball, zone: goal}]"
-SECOND_HALF = "conditions: [{condition: half, equals: 2}]"
+SECOND_HALF = "conditions: [{word: halftime, equals: 2}]"
 
 
 def rules(**bodies: str) -> str:
@@ -43,13 +43,13 @@ def notes(differences):
 
 class TestDeniedRule:
     def test_triggered_rule_is_noted_with_time_and_the_condition_that_did_not_hold(self, notes):
-        conditions = "conditions: [{condition: half, equals: 1}, {condition: counter, counter: goals, at_least: 2}]"
+        conditions = "conditions: [{word: halftime, equals: 1}, {counter: goals, at_least: 2}]"
         (note,) = notes(SCORES + "events: [{event: A}]", rules(a=f"{ENTERS}, {conditions}, actions: [{emit('A')}]"))
         assert note == ("note: a was triggered at 0.32 s, and {counter: goals, at_least: 2} did not hold")
 
     def test_condition_that_a_rule_of_the_same_tick_made_true_is_marked(self, notes):
         counted = f"{ENTERS}, actions: [{{action: count, counter: goals}}]"
-        late = f"{ENTERS}, conditions: [{{condition: counter, counter: goals, at_least: 1}}], actions: [{emit('A')}]"
+        late = f"{ENTERS}, conditions: [{{counter: goals, at_least: 1}}], actions: [{emit('A')}]"
         (note,) = notes(SCORES + "events: [{event: A}]", rules(counted=counted, late=late))
         assert " did not hold yet: " in note
 
@@ -115,7 +115,7 @@ class TestEndingRule:
 
 class TestHoldsThatWasTrueBefore:
     # Y1 starts at (-0.4, -0.5), in the zone left.
-    THERE = "triggers: [{trigger: holds, condition: {condition: in_zone, entity: Y1, zone: left}%s}], actions: [%s]"
+    THERE = "triggers: [{trigger: holds, conditions: [{entity: Y1, in: left}]%s}], actions: [%s]"
     STANDS = "lasts_s: 1, keyframes: [{at_s: 0.5}], "
 
     def test_rule_whose_condition_held_from_the_start_is_noted(self, notes):
@@ -137,16 +137,16 @@ class TestHoldsThatWasTrueBefore:
         ("condition", "opposite"),
         [
             (
-                "{condition: in_zone, entity: Y1, zone: left}",
-                "{condition: in_zone, entity: Y1, zone: left, negate: true}",
+                "{entity: Y1, in: left}",
+                "{entity: Y1, in: left, negate: true}",
             ),
-            ("{condition: counter, counter: goals, below: 3}", "{condition: counter, counter: goals, at_least: 3}"),
-            ("{condition: counter, counter: goals, at_most: 3}", "{condition: counter, counter: goals, above: 3}"),
+            ("{counter: goals, below: 3}", "{counter: goals, at_least: 3}"),
+            ("{counter: goals, at_most: 3}", "{counter: goals, above: 3}"),
         ],
     )
     def test_rule_whose_opposite_is_also_a_rule_waits_for_a_change(self, notes, condition, opposite):
         block = self.STANDS + "events: [{event: A}]"
-        holds = "triggers: [{trigger: holds, condition: %s}], actions: [%s]"
+        holds = "triggers: [{trigger: holds, conditions: [%s]}], actions: [%s]"
         changes = rules(there=holds % (condition, emit("A")), back=holds % (opposite, emit("B")))
         assert notes(block, changes) == []
         (note,) = notes(block, rules(there=holds % (condition, emit("A")), back=holds % (condition, emit("B"))))

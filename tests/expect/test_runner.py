@@ -198,7 +198,7 @@ class TestRulesByName:
         assert found == ["missing: rule once, event 1 of the test"]
 
     def test_reason_why_a_missing_rule_did_not_fire_is_noted(self, run):
-        late = "rules: {late: {triggers: [{trigger: touches, entity: ball, other: B1}], conditions: [{condition: half, equals: 2}], actions: [{action: place, entity: ball, at: start}]}}"
+        late = "rules: {late: {triggers: [{trigger: touches, entity: ball, other: B1}], conditions: [{word: halftime, equals: 2}], actions: [{action: place, entity: ball, at: start}]}}"
         *_, note = run(self.GOAL_AND_HIT + "events: [{rule: late, at_s: 0.3}], ignore: [GOAL, HIT]", late)
         assert note.startswith("note: late was triggered at 0.32 s")
 
@@ -215,7 +215,7 @@ flags: {handed_over: {keep: match}, out: {per: yellow}}
 rules:
   first:
     triggers: [{trigger: half_started}]
-    conditions: [{condition: flag, flag: handed_over}]
+    conditions: [{flag: handed_over}]
     actions: [{action: emit, event: FIRST, payload: {laps: {counter: laps, entity: Y1}, out: {flag: out, entity: Y1}}}]
 """
         given = "half: 2, given: {counters: {laps: 4}, flags: {handed_over: true, out: true}}, "

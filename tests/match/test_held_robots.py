@@ -34,7 +34,7 @@ rules:
     triggers: [{trigger: time_reached, at_s: 1.4}]
     actions: [{action: hold, entity: Y2, for_s: 0.32}]
   drives_again:
-    triggers: [{trigger: holds, condition: {condition: held, entity: Y2, negate: true}}]
+    triggers: [{trigger: holds, conditions: [{entity: Y2, held: true, negate: true}]}]
     actions: [{action: emit, event: DRIVES_AGAIN}]
   for_good:
     triggers: [{trigger: time_reached, at_s: 1.9}]

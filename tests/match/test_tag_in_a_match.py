@@ -24,7 +24,7 @@ rules:
   caught:
     for_each: robots
     triggers: [{trigger: touches, entity: each, other: [robots, walls]}]
-    conditions: [{condition: looks, entity: each, towards: [0, 2], within_rad: 1}]
+    conditions: [{entity: each, looks: [0, 2], within_rad: 1}]
     actions: [{action: emit, event: CAUGHT, payload: {who: {word: robot_name}, other: {word: other_name}}}]
     says: '{entity} has come to {other}.'
   home:

@@ -50,7 +50,7 @@ def _read(text: str) -> dict[str, Any]:
 
 def small_scenario(*sections: str) -> Scenario:
     """Return the small stage with sections (YAML) put on top of it one after the other, key by key."""
-    tree = {**copy.deepcopy(_read(PRESET.read_text(encoding="utf-8"))), "schema_version": 1}
+    tree = {**copy.deepcopy(_read(PRESET.read_text(encoding="utf-8"))), "schema_version": 2}
     for layer in (_SMALL, *sections):
         for key, value in copy.deepcopy(_read(layer)).items():
             # Robots and entrants of the preset are replaced as a whole by those of the stage.

@@ -82,15 +82,15 @@ class TestComputedCounts:
         return play.referee.counters["sum"]
 
     def test_to_a_sum_with_weights(self, stage):
-        change = "to: [1, {counter: laps, weight: 0.5}, {flag: bonus, weight: 10}, {word: time_s, weight: -1}]"
+        change = "to: {sum: [1, {counter: laps, times: 0.5}, {flag: bonus, times: 10}, {sum: [{word: time_s, round: down}], times: -1}]}"
         assert self.counted(stage, change) == 1 + 2 + 10 - 3
 
     def test_by_a_sum_of_which_its_own_old_value_may_be_a_part(self, stage):
-        assert self.counted(stage, "by: [{counter: sum, weight: 0.5}, -0.1]") == 2.9
+        assert self.counted(stage, "by: {sum: [{counter: sum, times: 0.5}, -0.1]}") == 2.9
 
     def test_first_to_then_by(self, stage):
-        assert self.counted(stage, "to: [1, {counter: laps}]") == 5
+        assert self.counted(stage, "to: {sum: [1, {counter: laps}]}") == 5
 
     def test_the_sum_of_many_kept_ones(self, stage):
         more = "draws: {times: {values: [3]}}\n"
-        assert self.counted(stage, "to: [{draw: times, weight: 2}, {distance: [B1, B2], weight: 10}]", more) == 14
+        assert self.counted(stage, "to: {sum: [{draw: times, times: 2}, {distance: [B1, B2], times: 10}]}", more) == 14

@@ -16,9 +16,9 @@ rules:
       - {action: score, entrant: yellow, points: 0.1}
       - {action: count, counter: third, by: 0.7}
       - {action: count, counter: per_robot, entity: B1, by: 0.1}
-      - {action: emit, event: TENTH, payload: {score: {word: score, of: yellow}, third: {counter: third}}}
+      - {action: emit, event: TENTH, payload: {score: {score: yellow}, third: {counter: third}}}
   equal:
-    triggers: [{trigger: holds, condition: {condition: counter, counter: third, equals: 2.1}}]
+    triggers: [{trigger: holds, conditions: [{counter: third, equals: 2.1}]}]
     actions: [{action: emit, event: EQUAL}]
 """
 
@@ -42,7 +42,7 @@ def test_a_bound_with_more_decimals_than_are_kept_is_met_by_the_counter_that_was
     play = stage(
         "counters: {n: {}}",
         at_tick_10(f"{{action: count, counter: n, to: {third}}}"),
-        hears(f"holds, condition: {{condition: counter, counter: n, equals: {third}}}"),
+        hears(f"holds, conditions: [{{counter: n, equals: {third}}}]"),
     )
     play.play(12)
     assert play.names() == ["TOLD"]
@@ -52,9 +52,9 @@ GROWS = """
 counters: {{c: {{initial: {first}}}}}
 rules:
   grows:
-    triggers: [{{trigger: holds, condition: {{condition: half, at_least: 1}}, for_s: 0.032, every_s: 0.032}}]
+    triggers: [{{trigger: holds, conditions: [{{word: halftime, at_least: 1}}], for_s: 0.032, every_s: 0.032}}]
     actions:
-      - {{action: count, counter: c, to: [{{counter: c, weight: {weight}}}]}}
+      - {{action: count, counter: c, to: {{sum: [{{counter: c, times: {weight}}}]}}}}
       - {{action: score, entrant: blue, points: {{counter: c}}}}
       - {{action: emit, event: TOLD, payload: {{c: {{counter: c}}}}}}
     says: "{{points}} points"
@@ -74,7 +74,7 @@ def test_what_grows_by_a_factor_stays_at_a_bound_and_can_be_recorded(stage, firs
 
 
 def test_more_than_all_less_more_than_all_is_nothing(stage):
-    weights = "1.0e+308}, {counter: c, weight: -1.0e+308"
+    weights = "1.0e+308}, {counter: c, times: -1.0e+308"
     play = stage(GROWS.format(first=1000000, weight=weights))
     play.play(1)
     assert play.referee.counters["c"] == 0

@@ -113,12 +113,12 @@ class TestConditionDistanceToPlaces:
     )
     def test_it_is_that_to_the_nearest_point(self, stage, ask, to, at, far):
         limits = f"at_least: {far - 0.0001}, at_most: {far + 0.0001}"
-        play = stage(PLACES, ASKING % f"{{condition: distance, entity: ball, to: {to}, {limits}}}")
+        play = stage(PLACES, ASKING % f"{{distance: [ball, {to}], {limits}}}")
         play.place("ball", *at)
         assert ask(play)
 
     def test_a_gate_turns_with_its_robot(self, stage, ask):
-        play = stage(PLACES, ASKING % "{condition: distance, entity: ball, to: nose, at_most: 0.0501}")
+        play = stage(PLACES, ASKING % "{distance: [ball, nose], at_most: 0.0501}")
         play.place("Y1", 0.0, 0.0, 0.0)
         play.place("ball", 0.15, 0.0)
         assert ask(play)
@@ -129,19 +129,19 @@ class TestConditionDistanceToPlaces:
 
     @pytest.mark.parametrize("limit", ["at_most: 9", "at_least: 0"])
     def test_while_its_robot_is_off_the_field_a_gate_is_nowhere(self, stage, ask, limit):
-        play = stage(PLACES, ASKING % f"{{condition: distance, entity: ball, to: nose, {limit}}}", TAKEN_OFF % "Y1")
+        play = stage(PLACES, ASKING % f"{{distance: [ball, nose], {limit}}}", TAKEN_OFF % "Y1")
         assert ask(play)
         play.play_until(15)
         assert not ask(play)
 
     def test_nothing_is_measured_to_the_gate_that_moves_with_it(self, stage, ask):
-        play = stage(PLACES, ASKING % "{condition: distance, entity: yellow, to: nose, at_most: 0.12}")
+        play = stage(PLACES, ASKING % "{distance: [yellow, nose], at_most: 0.12}")
         assert not ask(play)
         play.place("Y2", *_beside(play.pose("Y1"), 0.2))
         assert ask(play)
 
     def test_what_a_rule_makes_near_by_moving_the_robot_of_the_gate_was_so_before(self, stage):
-        near = hears("holds, condition: {condition: distance, entity: ball, to: nose, at_most: 0.45}")
+        near = hears("holds, conditions: [{distance: [ball, nose], at_most: 0.45}]")
         play = stage(PLACES, near, at_tick_10("{action: place, entity: Y1, at: {point: [0.3, 0]}}"))
         play.place("Y1", 0.6, 0.6, 0.0)
         play.play_until(20)
@@ -208,11 +208,11 @@ rules:
       - {action: emit, event: MEASURED}
   blue:
     triggers: [{trigger: event, event: MEASURED}]
-    conditions: [{condition: distance, entity: B2, to: button, at_least: {counter: of_yellow_m}, negate: true}]
+    conditions: [{distance: [B2, button], at_least: {counter: of_yellow_m}, negate: true}]
     actions: [{action: count, counter: blue_points}]
   yellow:
     triggers: [{trigger: event, event: MEASURED}]
-    conditions: [{condition: distance, entity: Y2, to: button, at_least: {counter: of_blue_m}, negate: true}]
+    conditions: [{distance: [Y2, button], at_least: {counter: of_blue_m}, negate: true}]
     actions: [{action: count, counter: yellow_points}]
 """
 

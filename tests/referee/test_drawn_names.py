@@ -11,13 +11,13 @@ rules:
   begins:
     for_each: robots
     triggers: [{trigger: half_started}]
-    conditions: [{condition: drawn, draw: catcher, equals: each}]
+    conditions: [{draw: catcher, equals: each}]
     actions: [{action: emit, event: CATCHER, payload: {who: {word: robot_name}}}]
     says: "{entity} is the catcher."
   caught:
     for_each: robots
     triggers: [{trigger: touches, entity: each, other: robots}]
-    conditions: [{condition: drawn, draw: catcher, equals: each}]
+    conditions: [{draw: catcher, equals: each}]
     actions:
       - {action: draw, draw: catcher, as: other}
       - {action: score, entrant: other, points: -1}
@@ -49,7 +49,7 @@ draws: {poisoned: {values: [ball, red], not_last: true}}
 rules:
   hit:
     triggers: [{trigger: touches, entity: robots, other: balls}]
-    conditions: [{condition: drawn, draw: poisoned, equals: other%s}]
+    conditions: [{draw: poisoned, equals: other%s}]
     actions: [{action: emit, event: HIT, payload: {ball: {word: other_name}}}]
 """
 
@@ -65,7 +65,7 @@ def test_one_touches_two_balls_and_it_counts_for_the_one_that_is_drawn(stage, ne
 def test_a_value_called_other_stays_a_value_where_the_rule_has_no_such_name(stage):
     play = stage(
         "draws: {which: {values: [one, other]}}",
-        "rules: {r: {triggers: [{trigger: half_started}], conditions: [{condition: drawn, draw: which, equals: other}], "
+        "rules: {r: {triggers: [{trigger: half_started}], conditions: [{draw: which, equals: other}], "
         "actions: [{action: emit, event: OTHER}]}}",
         draws={"which": "other"},
     )

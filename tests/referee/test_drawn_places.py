@@ -75,7 +75,7 @@ class TestZones:
 
     @pytest.mark.parametrize(("hot", "where", "fires"), [("left", LEFT, 1), ("left", RIGHT, 0), ("right", RIGHT, 1)])
     def test_a_condition_asks_for_the_one_that_is_drawn_now(self, stage, hot, where, fires):
-        rule = "conditions: [{condition: in_zone, entity: ball, zone: hot}],"
+        rule = "conditions: [{entity: ball, in: hot}],"
         play = stage(
             HOT,
             hears("{trigger: time_reached, at_s: 0.64}", more=rule),
@@ -87,7 +87,7 @@ class TestZones:
         assert len(play.events) == fires
 
     def test_holds_is_evaluated_again_when_a_draw_makes_it_true(self, stage):
-        holds = "{trigger: holds, condition: {condition: in_zone, entity: ball, zone: hot}}"
+        holds = "{trigger: holds, conditions: [{entity: ball, in: hot}]}"
         play = stage(HOT, hears(holds), AGAIN, draws={"hot": "right"})
         place(play, "ball", *LEFT)
         play.play(15)

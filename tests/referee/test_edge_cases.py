@@ -6,7 +6,7 @@ from tests.referee.building import acted, at_tick_10, event_ticks, hears, once, 
 
 
 def holding(condition: str) -> str:
-    return hears(f"holds, condition: {{condition: {condition}}}")
+    return hears(f"holds, conditions: [{{{condition}}}]")
 
 
 def placing(entity: str, at: str, more: str = "") -> str:
@@ -23,13 +23,13 @@ class TestHolds:
         ("condition", "action", "heard"),
         [
             # Where a rule puts something is not heard.
-            ("in_zone, entity: ball, zone: right", placing("ball", "{point: [0.4, 0]}"), []),
-            ("distance, entity: ball, to: centre, at_least: 0.3", placing("ball", "{point: [0.4, 0]}"), []),
+            ("entity: ball, in: right", placing("ball", "{point: [0.4, 0]}"), []),
+            ("distance: [ball, centre], at_least: 0.3", placing("ball", "{point: [0.4, 0]}"), []),
             # That it frees a spot, loses the steps of a sequence or leaves fewer on the field is, one tick later.
-            ("spot_free, spot: centre", placing("ball", "{point: [0.4, 0]}"), [11]),
-            ("sequence_at, sequence: way, step: left, negate: true", placing("Y1", "{point: [0.4, 0]}"), [11]),
+            ("spot_free: centre", placing("ball", "{point: [0.4, 0]}"), [11]),
+            ("sequence: way, equals: left, negate: true", placing("Y1", "{point: [0.4, 0]}"), [11]),
             (
-                "counter, counter: visits, entity: Y1, at_least: {count: [B1, B2]}",
+                "counter: visits, entity: Y1, at_least: {count: [B1, B2]}",
                 "{action: remove, entity: [B1, B2]}",
                 [11],
             ),
@@ -122,7 +122,7 @@ class TestATimerThatHasRunOut:
         ("at_least: 5", True), ("at_most: 5", False), ("equals: 5", False), ("at_most: 5.024", True),
     ])  # fmt: skip
     def test_it_stands_at_its_length_in_whole_ticks(self, stage, comparison, holds):
-        asked = f"conditions: [{{condition: timer, timer: five, {comparison}}}],"
+        asked = f"conditions: [{{timer: five, {comparison}}}],"
         play = stage("timers: {five: {lasts_s: 5, starts: true}}", hears("time_reached, at_s: 8", asked))
         play.play_until(260)
         assert bool(event_ticks(play)) is holds

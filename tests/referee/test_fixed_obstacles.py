@@ -22,7 +22,7 @@ flags: {touched: {per: poles}}
 rules:
   hit:
     triggers: [{trigger: touches, entity: robots, other: poles}]
-    conditions: [{condition: flag, flag: touched, entity: other, negate: true}]
+    conditions: [{flag: touched, entity: other, negate: true}]
     actions: [{action: set_flag, flag: touched, entity: other}, {action: score, entrant: yellow, points: -1}]
 """
 )
@@ -96,7 +96,7 @@ rules:
     triggers: [{trigger: touches, entity: robots, other: p1}]
     actions: [{action: score, entrant: {last_touch: p1}}, {action: emit, event: WHO, payload: {a: {last_touch: p1}}}]
   kept:
-    triggers: [{trigger: holds, for_s: 0.5, condition: {condition: last_touch, entity: p1, by: yellow}}]
+    triggers: [{trigger: holds, for_s: 0.5, conditions: [{last_touch: p1, equals: yellow}]}]
     actions: [{action: emit, event: KEPT}]
 """
         )
@@ -134,8 +134,8 @@ class TestWhereTheyAre:
         assert self.reported(stage, f"{{distance: {ends}}}") == pytest.approx(expected, abs=1e-3)
 
     def test_nearness_and_looks_can_be_asked_for_each(self, stage):
-        near = "{condition: distance, entity: Y1, to: each, at_most: 0.1}"
-        look = "{condition: looks, entity: Y1, towards: each, within_rad: 0.1}"
+        near = "{distance: [Y1, each], at_most: 0.1}"
+        look = "{entity: Y1, looks: each, within_rad: 0.1}"
         play = stage(
             POLES
             + f"""
@@ -143,7 +143,7 @@ spots: {{seen: {{x_m: 0, y_m: 0}}}}
 rules:
   near:
     for_each: poles
-    triggers: [{{trigger: holds, condition: {near}}}]
+    triggers: [{{trigger: holds, conditions: [{near}]}}]
     conditions: [{look}]
     actions: [{{action: set_spot, spot: seen, to: each}}, {{action: emit, event: NEAR, payload: {{a: {{word: each_name}}}}}}]
 """

@@ -14,7 +14,8 @@ def played(stage, action: str, computed: float = 0, **facts):
 
 
 class TestHowMuchIsPaid:
-    LATE = "{action: score, entrant: blue, points: [20, {counter: computed, weight: -1}], at_least: 5, at_most: 12}"
+    LATE = "{action: score, entrant: blue, points: {lowest: [{highest: [%s, 5]}, 12]}}"
+    LATE %= "{counter: computed, times: -1, plus: 20}"
 
     @pytest.mark.parametrize(("computed", "points"), [(30, 5), (16, 5), (15, 5), (12.5, 7.5), (8, 12), (0, 12)])
     def test_it_is_no_less_and_no_more_whatever_was_computed(self, stage, computed, points):
@@ -60,12 +61,12 @@ class TestHowMuchIsCounted:
     @pytest.mark.parametrize(
         ("how", "computed", "after"),
         [
-            ("by: {counter: computed}, at_least: 2", 1, 9),
-            ("by: {counter: computed}, at_most: 2", 7, 9),
-            ("by: {counter: computed}, at_least: 2, at_most: 4", 3, 11),
-            ("to: {counter: computed}, at_least: 2", 1, 2),
-            ("to: {counter: computed}, at_most: 2", 7, 2),
-            ("to: {counter: computed}, at_least: 2", 3, 3),
+            ("by: {highest: [{counter: computed}, 2]}", 1, 9),
+            ("by: {lowest: [{counter: computed}, 2]}", 7, 9),
+            ("by: {lowest: [{highest: [{counter: computed}, 2]}, 4]}", 3, 11),
+            ("to: {highest: [{counter: computed}, 2]}", 1, 2),
+            ("to: {lowest: [{counter: computed}, 2]}", 7, 2),
+            ("to: {highest: [{counter: computed}, 2]}", 3, 3),
             ("by: -3, keeps_at_least: 0", 0, 0),
             ("by: 3, keeps_at_most: 7", 0, 7),
             ("by: 3, keeps_at_most: 4", 0, 5),

@@ -164,20 +164,20 @@ class TestActionRelease:
 
 class TestConditionHeld:
     def test_negated_and_also_by_the_phase(self, stage, ask):
-        play = stage(ASKING % "{condition: held, entity: Y1, negate: true}")
+        play = stage(ASKING % "{entity: Y1, held: true, negate: true}")
         assert ask(play)
-        play = stage(ASKING % "{condition: held, entity: Y1, negate: true}", "phases: {play: {robots: held}}")
+        play = stage(ASKING % "{entity: Y1, held: true, negate: true}", "phases: {play: {robots: held}}")
         assert not ask(play)
 
     def test_also_of_a_robot_off_the_field(self, stage, ask):
         off = "rules: {away: {triggers: [{trigger: half_started}], actions: [{action: hold, entity: Y1}, {action: remove, entity: Y1}]}}"
-        assert ask(stage(ASKING % "{condition: held, entity: Y1}", off))
+        assert ask(stage(ASKING % "{entity: Y1, held: true}", off))
 
     def test_the_time_is_over_when_the_tick_is_judged_in_which_it_ends(self, stage):
         play = stage(
             RULES,
-            "rules: {free: {triggers: [{trigger: holds, condition: {condition: held, entity: Y1, negate: true}}], "
-            "actions: [{action: emit, event: FREE, payload: {held: {held: Y1}}}]}}",
+            "rules: {free: {triggers: [{trigger: holds, conditions: [{entity: Y1, held: true, negate: true}]}], "
+            "actions: [{action: emit, event: FREE, payload: {held: {entity: Y1, held: true}}}]}}",
         )
         touch(play, "Y1", "ball", ticks=20)
         assert [(event.tick, event.payload) for event in play.events] == [(11, {"held": False})]
@@ -190,8 +190,8 @@ rules:
   told:
     for_each: yellow
     triggers: [{trigger: touches, entity: Y2, other: ball}]
-    actions: [{action: emit, event: TOLD, payload: {held: {held: each}}}]
-broadcast: {fields: {Y1: {held: Y1}, B1: {held: B1}}}
+    actions: [{action: emit, event: TOLD, payload: {held: {entity: each, held: true}}}]
+broadcast: {fields: {Y1: {entity: Y1, held: true}, B1: {entity: B1, held: true}}}
 """
 
     def test_in_the_broadcast_from_the_tick_in_which_a_rule_holds_it(self, stage):

@@ -10,13 +10,13 @@ from tests.referee.building import ASKING, fail, hears, on_fault, place, rule
 class TestConditionLooks:
     @pytest.mark.parametrize(("yaw", "holds"), [(0.0, True), (0.19, True), (-0.19, True), (0.21, False), (3.1, False)])
     def test_towards_an_entity_it_may_be_off_by_so_much(self, stage, ask, yaw, holds):
-        play = stage(ASKING % "{condition: looks, entity: Y1, towards: ball}")
+        play = stage(ASKING % "{entity: Y1, looks: ball}")
         play.place("Y1", -0.4, 0.0, yaw)
         assert ask(play) is holds
 
     @pytest.mark.parametrize("towards", ["B2", "middle_blue", "[0, 0.5]"])
     def test_towards_a_robot_a_spot_or_a_point(self, stage, ask, towards):
-        play = stage(ASKING % f"{{condition: looks, entity: Y1, towards: {towards}, within_rad: 0.1}}")
+        play = stage(ASKING % f"{{entity: Y1, looks: {towards}, within_rad: 0.1}}")
         play.place("Y1", 0.0, -0.2, math.pi / 2)
         play.place("B2", 0.0, 0.4)
         assert ask(play)
@@ -26,34 +26,34 @@ class TestConditionLooks:
     @pytest.mark.parametrize(("decided", "holds"), [("middle_blue", True), ("B2", False), ("Y1", False)])
     def test_towards_what_a_draw_has_decided_and_never_towards_itself(self, stage, ask, decided, holds):
         draws = "draws: {goal: {values: [middle_blue, B2, Y1]}}"
-        play = stage(ASKING % "{condition: looks, entity: Y1, towards: goal}", draws, draws={"goal": decided})
+        play = stage(ASKING % "{entity: Y1, looks: goal}", draws, draws={"goal": decided})
         play.place("Y1", 0.0, -0.2, math.pi / 2)
         play.place("B2", 0.4, -0.2)
         assert ask(play) is holds
 
     @pytest.mark.parametrize(("yaw", "holds"), [(3.1, True), (-3.1, True), (2.9, False), (0.0, False)])
     def test_in_a_direction_also_where_angles_turn_over(self, stage, ask, yaw, holds):
-        play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 3.14159, within_rad: 0.2}")
+        play = stage(ASKING % "{entity: Y1, looks: 3.14159, within_rad: 0.2}")
         play.place("Y1", 0.0, 0.0, yaw)
         assert ask(play) is holds
 
     @pytest.mark.parametrize("front", ["+x", "-x"])
     def test_direction_is_the_yaw_whichever_end_is_shown_as_the_front(self, stage, ask, front):
         kit = f"kits: {{v2: {{looks_along: '{front}'}}}}"
-        play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 0}", kit)
+        play = stage(ASKING % "{entity: Y1, looks: 0}", kit)
         play.place("Y1", 0.0, 0.0, 0.0)
         assert ask(play)
 
     def test_no_robot_looks_at_itself(self, stage, ask):
         for robots in ("Y1", "yellow"):
-            play = stage(ASKING % f"{{condition: looks, entity: {robots}, towards: Y1}}")
+            play = stage(ASKING % f"{{entity: {robots}, looks: Y1}}")
             play.place("Y1", -0.4, 0.0, 0.0)
             assert not ask(play)
 
     def test_off_the_field_no_robot_looks_or_is_looked_at(self, stage, ask):
         for off in ("Y1", "ball"):
             gone = on_fault("B2", f"{{action: remove, entity: {off}}}")
-            play = stage(ASKING % "{condition: looks, entity: Y1, towards: ball}", gone)
+            play = stage(ASKING % "{entity: Y1, looks: ball}", gone)
             play.place("Y1", -0.4, 0.0, 0.0)
             assert ask(play)
             fail(play, "B2")
@@ -61,7 +61,7 @@ class TestConditionLooks:
 
     def test_held_for_a_time_it_is_about_the_robot_and_starts_again_where_that_is_put_elsewhere(self, stage):
         stares = rule(
-            "trigger: holds, condition: {condition: looks, entity: Y1, heading_rad: 1.57}, for_s: 0.32",
+            "trigger: holds, conditions: [{entity: Y1, looks: 1.57}], for_s: 0.32",
             "{action: emit, event: STARES, payload: {who: {word: robot_name}}}",
             name="stares",
         )
@@ -75,7 +75,7 @@ class TestConditionLooks:
 
     @pytest.mark.parametrize(("by", "names"), [("a rule", []), ("a robot", ["TOLD"])])
     def test_what_a_rule_puts_before_its_eyes_has_not_come_there(self, stage, by, names):
-        sees = hears("holds, condition: {condition: looks, entity: Y1, towards: ball}")
+        sees = hears("holds, conditions: [{entity: Y1, looks: ball}]")
         play = stage(sees, on_fault("B1", "{action: place, entity: ball, at: {point: [-0.4, 0.2]}}"))
         play.play_until(5)
         if by == "a rule":
@@ -87,26 +87,26 @@ class TestConditionLooks:
         assert play.names() == names
 
 
-TWO = "{condition: %s, conditions: [{condition: in_zone, entity: ball, zone: left}, {condition: in_zone, entity: Y1, zone: right}]}"
-LAST = "{condition: in_zone, entity: B2, zone: right}"
-EITHER, BOTH = TWO % "any_of", TWO % "all_of"
+TWO = "{entity: ball, in: left}, {entity: Y1, in: right}"
+LAST = "{entity: B2, in: right}"
+EITHER, BOTH = f"any_of: [{TWO}]", f"any_of: [[{TWO}]]"
 
 
-class TestConditionsAnyOfAndAllOf:
+class TestConditionAnyOf:
     @pytest.mark.parametrize(("ball", "robot", "other"), [(b, y, o) for b in (0, 1) for y in (0, 1) for o in (0, 1)])
     @pytest.mark.parametrize(
         ("condition", "holds"),
         [
-            (EITHER, lambda ball, robot, _: ball or robot),
-            (EITHER.replace("any_of,", "any_of, negate: true,"), lambda ball, robot, _: not (ball or robot)),
-            (BOTH, lambda ball, robot, _: ball and robot),
-            (BOTH.replace("all_of,", "all_of, negate: true,"), lambda ball, robot, _: not (ball and robot)),
+            (f"{{{EITHER}}}", lambda ball, robot, _: ball or robot),
+            (f"{{{EITHER}, negate: true}}", lambda ball, robot, _: not (ball or robot)),
+            (f"{{{BOTH}}}", lambda ball, robot, _: ball and robot),
+            (f"{{{BOTH}, negate: true}}", lambda ball, robot, _: not (ball and robot)),
             (
-                f"{{condition: any_of, conditions: [{BOTH}, {LAST}]}}",
+                f"{{any_of: [[{TWO}], {LAST}]}}",
                 lambda ball, robot, other: (ball and robot) or other,
             ),
             (
-                f"{{condition: all_of, conditions: [{EITHER}, {LAST}]}}",
+                f"{{{EITHER}}}, {LAST}",
                 lambda ball, robot, other: (ball or robot) and other,
             ),
         ],
@@ -121,7 +121,7 @@ class TestConditionsAnyOfAndAllOf:
     def test_a_sequence_that_only_it_asks_for_is_followed(self, stage, ask):
         play = stage(
             "sequences: {way: {entity: ball, steps: [left, right]}}",
-            ASKING % "{condition: any_of, conditions: [{condition: sequence_at, sequence: way, step: left}]}",
+            ASKING % "{any_of: [{sequence: way, equals: left}]}",
         )
         assert not ask(play)
         place(play, "ball", -0.3, 0.0)

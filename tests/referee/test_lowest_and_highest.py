@@ -31,10 +31,10 @@ def reported(stage, condition: str, visits: dict[str, float], off: str = "") -> 
     return [event.payload["who"] for event in play.events_named("TOLD")]
 
 
-LAST = "{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}"
-ALONE_LAST = "{condition: counter, counter: visits, entity: each, at_least: {lowest: visits}, negate: true}"
-FIRST = "{condition: counter, counter: visits, entity: each, at_least: {highest: visits}}"
-AS_THE_FIRST = "{condition: counter, counter: visits, entity: each, equals: {highest: visits}}"
+LAST = "{counter: visits, entity: each, at_most: {lowest: {counter: visits, entity: others}}}"
+ALONE_LAST = "{counter: visits, entity: each, at_least: {lowest: {counter: visits, entity: others}}, negate: true}"
+FIRST = "{counter: visits, entity: each, at_least: {highest: {counter: visits, entity: others}}}"
+AS_THE_FIRST = "{counter: visits, entity: each, equals: {highest: {counter: visits, entity: others}}}"
 VISITS = {"B1": 3, "B2": 1.5, "Y1": 2, "Y2": 7}
 
 
@@ -60,12 +60,12 @@ class TestTheLowestAndTheHighestOfOthers:
 
     def test_what_is_asked_for_by_negation_holds_then_too(self, stage):
         # docs/authoring.md says so, and what to ask beside it.
-        on_the_field = "{condition: in_zone, entity: each, zone: pitch}"
+        on_the_field = "{entity: each, in: pitch}"
         assert reported(stage, ALONE_LAST, VISITS, off="B2") == ["B2", "Y1"]
         assert reported(stage, f"{ALONE_LAST}, {on_the_field}", VISITS, off="B2") == ["Y1"]
 
     def test_without_for_each_it_is_that_of_all(self, stage):
-        low = once(10, EMIT, more="conditions: [{condition: counter, counter: level, at_most: {lowest: visits}}],")
+        low = once(10, EMIT, more="conditions: [{counter: level, at_most: {lowest: {counter: visits}}}],")
         for level, names in ((2, ["TOLD"]), (2.5, [])):
             counters = f"counters: {{visits: {{per: robots}}, level: {{initial: {level}}}}}"
             assert acted(stage(counters, low, COUNTED % "{action: count, counter: visits, to: 2}")).names() == names
@@ -79,7 +79,7 @@ class TestTheLowestAndTheHighestOfOthers:
           told:
             for_each: sides
             triggers: [{trigger: time_reached, at_s: 1}]
-            conditions: [{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}]
+            conditions: [{counter: visits, entity: each, at_most: {lowest: {counter: visits, entity: others}}}]
             actions: [{action: emit, event: TOLD, payload: {where: {word: each_name}}}]
         """
         play = stage(rule)
@@ -88,13 +88,13 @@ class TestTheLowestAndTheHighestOfOthers:
 
     def test_anything_that_is_compared_may_be_compared_with_it(self, stage):
         # Y1 stands 0.64 m from the ball, all others 0.64 m too: none is nearer than the limit of another.
-        near = "{condition: distance, entity: each, to: ball, at_least: {highest: visits}}"
+        near = "{distance: [each, ball], at_least: {highest: {counter: visits, entity: others}}}"
         assert reported(stage, near, {"B1": 0.5, "B2": 0.5, "Y1": 0.9, "Y2": 0.5}) == ["Y1"]
 
 
 def test_a_counter_that_is_kept_once_has_no_others():
     rule = (
         "counters: {laps: {}}\nrules: {it: {triggers: [{trigger: half_started}], conditions: "
-        "[{condition: counter, counter: laps, at_most: {lowest: {counter: laps}}}], actions: [{action: end}]}}\n"
+        "[{counter: laps, at_most: {lowest: {counter: laps}}}], actions: [{action: end}]}}\n"
     )
     assert complaints(rule) == ["not-per-entity rules.it.conditions[0] (counter)"]

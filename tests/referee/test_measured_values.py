@@ -44,7 +44,7 @@ class TestValueDistance:
         assert play.referee.counters["far"] == 0.123
 
     def test_off_the_field_it_gives_nothing(self, stage):
-        play = stage(scoring("[1, {distance: [Y1, ball], weight: 10}]"), TAKEN_OFF % "ball")
+        play = stage(scoring("{sum: [1, {distance: [Y1, ball], times: 10}]}"), TAKEN_OFF % "ball")
         play.play_until(15)
         assert paid(play) == 1
 
@@ -66,9 +66,9 @@ class TestValueTimer:
         play.play_until(50)
         assert payload(play) == {"y1": 0, "y2": 1.6, "all": 1.6}
 
-    @pytest.mark.parametrize(("fraction", "points"), [("", 2), (", fraction: true", 2.976)])
-    def test_as_points_its_whole_seconds_count_or_its_ticks(self, stage, fraction, points):
-        play = stage(self.TIMERS, scoring(f"{{timer: lap{fraction}}}"))
+    @pytest.mark.parametrize(("rounded", "points"), [(", round: down", 2), ("", 2.976)])
+    def test_as_points_its_whole_seconds_count_or_its_ticks(self, stage, rounded, points):
+        play = stage(self.TIMERS, scoring(f"{{timer: lap{rounded}}}"))
         play.play_until(92)
         assert paid(play) == points
 
@@ -112,7 +112,7 @@ class TestPointsAndParamsInSentences:
     def test_one_point_is_no_points(self, tries, said):
         assert self.said(f"[{{action: score, entrant: yellow, points: {tries}}}]", "{points} points.") == f"{said}."
         # The distance is 0.5 m: what is computed when the rule fires is said alike.
-        computed = f"[{{action: score, entrant: yellow, points: [{tries}, -0.5, {{distance: [Y1, [0, 0]]}}]}}]"
+        computed = f"[{{action: score, entrant: yellow, points: {{sum: [{tries}, -0.5, {{distance: [Y1, [0, 0]]}}]}}}}]"
         assert self.said(computed, "A goal; {points} points!") == f"A goal; {said}!"
         assert self.said("[{action: score, entrant: yellow}]", "{goal} points.", f"{{goal: {tries}}}") == f"{said}."
 

@@ -15,8 +15,8 @@ rules:
     for_each: robots
     triggers: [{trigger: touches, entity: each, other: robots}]
     conditions:
-      - {condition: flag, flag: catcher, entity: each}
-      - {condition: flag, flag: catcher, entity: other, negate: true}
+      - {flag: catcher, entity: each}
+      - {flag: catcher, entity: other, negate: true}
     actions:
       - {action: set_flag, flag: catcher, entity: other}
       - {action: set_flag, flag: catcher, entity: each, to: false}
@@ -167,7 +167,7 @@ class TestWhatItMayStandFor:
           pushed:
             for_each: robots
             triggers: [{trigger: touches, entity: each, other: robots}]
-            conditions: [{condition: looks, entity: each, towards: other, within_rad: 0.3}]
+            conditions: [{entity: each, looks: other, within_rad: 0.3}]
             actions: [{action: score, entrant: other, points: -1}]
         """)
         play.play()
@@ -185,12 +185,11 @@ class TestWhatItMayStandFor:
             for_each: yellow
             triggers: [{trigger: touches, entity: each, other: blue}]
             conditions:
-              - condition: any_of
-                conditions:
-                  - {condition: distance, entity: each, to: other, at_most: 0.3}
-                  - {condition: in_zone, entity: other, zone: middle}
+              - any_of:
+                  - {distance: [each, other], at_most: 0.3}
+                  - {entity: other, in: middle}
             actions:
-              - {action: score, entrant: yellow, points: [{counter: weight, entity: other, weight: 2}]}
+              - {action: score, entrant: yellow, points: {counter: weight, entity: other, times: 2}}
               - action: emit
                 event: BUMP
                 payload: {at: {position_of: other}, far: {distance: [each, other]}}

@@ -28,9 +28,9 @@ def test_where_it_is_in_the_end(stage, sections, where):
 
 
 def test_what_one_of_several_holds_goes_on_while_another_is_put_elsewhere(stage):
-    west = "{condition: in_zone, entity: yellow, zone: left, of: {at_least: 1}}"
+    west = "{entity: yellow, in: left, of: {at_least: 1}}"
     elsewhere = once(80, "{action: place, entity: Y2, at: {point: [0.5, 0.1]}}")
-    play = stage(hears(f"holds, condition: {west}, for_s: 3.2"), elsewhere)
+    play = stage(hears(f"holds, conditions: [{west}], for_s: 3.2"), elsewhere)
     place(play, "Y1", 0.4, -0.3, ticks=20)
     place(play, "Y1", -0.4, -0.5, ticks=150)
     assert event_ticks(play) == [121]

@@ -95,17 +95,17 @@ class TestConditionTold:
     @pytest.mark.parametrize(
         ("condition", "holds"),
         [
-            ("entity: Y1", [False, True, True, True]),
-            ("entity: Y1, text: GO", [False, True, False, False]),
-            ("entity: Y1, text: GO, negate: true", [True, False, True, True]),
-            ("entity: Y1, is_a: number", [False, False, False, True]),
-            ("entity: [Y1, Y2], text: GO, of: all", [False] * 4),
-            ("entity: [Y1, Y2], text: GO, of: none", [True, False, True, True]),
-            ("entity: Y2", [False] * 4),
+            ("told: Y1", [False, True, True, True]),
+            ("told: Y1, text: GO", [False, True, False, False]),
+            ("told: Y1, text: GO, negate: true", [True, False, True, True]),
+            ("told: Y1, is_a: number", [False, False, False, True]),
+            ("told: [Y1, Y2], text: GO, of: all", [False] * 4),
+            ("told: [Y1, Y2], text: GO, of: none", [True, False, True, True]),
+            ("told: Y2", [False] * 4),
         ],
     )
     def test_the_last_message_counts(self, stage, ask, condition, holds):
-        play = stage(ASKING % f"{{condition: told, {condition}}}")
+        play = stage(ASKING % f"{{{condition}}}")
         found = [ask(play)]
         for message in ("GO", "STOP", "7"):
             play.tell("Y1", message)
@@ -122,9 +122,9 @@ class TestValueTold:
 
     @pytest.mark.parametrize(
         ("points", "given"),
-        [("{told: Y1}", 7), ("[1, {told: Y1, weight: -2}]", -13), ("[1, {told: Y2}]", 1)],
+        [("{told: Y1}", 7), ("{told: Y1, times: -2, plus: 1}", -13), ("{sum: [1, {told: Y2}]}", 1)],
     )
-    def test_points_and_counts_take_its_number_and_0_if_it_is_none(self, stage, points, given):
+    def test_points_and_counts_take_its_number_and_pass_over_what_is_none(self, stage, points, given):
         play = stage(scoring(points))
         play.tell("Y1", "7")
         play.tell("Y2", "seven")

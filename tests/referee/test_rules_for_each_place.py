@@ -18,7 +18,7 @@ rules:
   passed:
     for_each: posts
     triggers: [{trigger: crosses, entity: robots, gate: each, direction: forward}]
-    conditions: [{condition: flag, flag: passed, entity: each, negate: true}]
+    conditions: [{flag: passed, entity: each, negate: true}]
     actions:
       - {action: set_flag, flag: passed, entity: each}
       - {action: emit, event: PASSED, payload: {gate: {word: each_name}, who: {word: robot_name}, named: {word: entity_name}}}
@@ -28,7 +28,7 @@ rules:
     triggers: [{trigger: crosses, entity: robots, gate: each}]
     actions: [{action: count, counter: times, entity: each}]
   all_passed:
-    triggers: [{trigger: holds, condition: {condition: flag, flag: passed, of: all}}]
+    triggers: [{trigger: holds, conditions: [{flag: passed, of: all}]}]
     actions: [{action: emit, event: ALL_PASSED}]
 """
 
@@ -126,7 +126,7 @@ rules:
         play = stage(
             GATES,
             "draws: {next: {values: [west, middle, east]}}",
-            CROSSED % "conditions: [{condition: drawn, draw: next, equals: each}]",
+            CROSSED % "conditions: [{draw: next, equals: each}]",
             draws={"next": gate},
         )
         for x_m in (-0.4, 0.0, 0.4):
@@ -148,11 +148,11 @@ class TestZones:
               both_in:
                 for_each: sides
                 triggers: [{trigger: enters, entity: Y1, zone: each}]
-                conditions: [{condition: in_zone, entity: ball, zone: each}]
+                conditions: [{entity: ball, in: each}]
                 actions: [{action: emit, event: TOGETHER, payload: {zone: {word: each_name}}}]
                 says: "{entity} has come to the ball in {each}."
               all_together:
-                triggers: [{trigger: holds, condition: {condition: counter, counter: visits, at_least: 4}}]
+                triggers: [{trigger: holds, conditions: [{counter: visits, at_least: 4}]}]
                 actions: [{action: emit, event: FOUR}]
             """,
         )

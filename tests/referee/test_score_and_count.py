@@ -21,8 +21,8 @@ class TestActionScore:
                 state,
                 at_tick_10(
                     "{action: score, entrant: blue, points: {counter: streak}}",
-                    "{action: score, entrant: yellow, points: [{counter: streak}, {counter: fouls, weight: -0.5}, "
-                    "{flag: bonus, weight: 10}, {flag: malus, weight: 100}]}",
+                    "{action: score, entrant: yellow, points: {sum: [{counter: streak}, {counter: fouls, times: -0.5}, "
+                    "{flag: bonus, times: 10}, {flag: malus, times: 100}]}}",
                 ),
             )
         )
@@ -35,25 +35,26 @@ class TestActionScore:
         [("time_s", [0, 32, 32]), ("time_left_s", [59, 28, 27]), ("total_match_time_s", [60, 60, 60]),
          ("halftime", [2, 2, 2])],
     )  # fmt: skip
-    def test_a_time_gives_its_whole_seconds_rounded_down(self, stage, word, points):
+    def test_a_time_rounded_down_gives_its_whole_seconds(self, stage, word, points):
         found = []
         for at_s in (0.32, 32, 32.32):
-            score = f"{{action: score, entrant: blue, points: {{word: {word}}}}}"
+            score = f"{{action: score, entrant: blue, points: {{word: {word}, round: down}}}}"
             play = stage(rule(f"trigger: time_reached, at_s: {at_s}", score), half=2)
             play.play_until(1010)
             found.append(play.referee.scores["blue"])
         assert found == points
         assert all(isinstance(number, int) for number in found)
 
-    def test_weighted_words_are_rounded_before_they_are_weighted(self, stage):
-        score = "{action: score, entrant: blue, points: [{word: time_left_s, weight: 0.5}, {word: halftime}]}"
+    def test_what_is_rounded_first_stands_in_a_sum_of_its_own(self, stage):
+        whole = "{sum: [{word: time_left_s, round: down}], times: 0.5, plus: {word: halftime}}"
+        score = f"{{action: score, entrant: blue, points: {whole}}}"
         assert acted(stage(at_tick_10(score))).referee.scores["blue"] == 30.5
 
     def test_a_draw_gives_the_number_that_it_decided(self, stage):
         draws = "draws: {bonus: {values: [5, 2.5]}}"
         actions = (
             "{action: score, entrant: blue, points: {draw: bonus}}",
-            "{action: score, entrant: yellow, points: [{draw: bonus, weight: 2}]}",
+            "{action: score, entrant: yellow, points: {sum: [{draw: bonus, times: 2}]}}",
         )
         found = [acted(stage(draws, at_tick_10(*actions), draws={"bonus": bonus})).referee.scores for bonus in (5, 2.5)]
         assert found == [{"blue": 5, "yellow": 10}, {"blue": 2.5, "yellow": 5}]
@@ -65,7 +66,7 @@ class TestActionScore:
             triggers: [{trigger: displaced, entity: B1, distance_m: 0.25}]
             actions:
               - {action: score, entrant: blue, points: {word: measured}}
-              - {action: score, entrant: yellow, points: [{word: measured, weight: 10}, {word: limit, weight: -4}]}
+              - {action: score, entrant: yellow, points: {sum: [{word: measured, times: 10}, {word: limit, times: -4}]}}
           fails:
             triggers: [{trigger: program_fault}]
             actions: [{action: score, entrant: blue, points: {word: measured}}]
@@ -90,8 +91,8 @@ class TestActionScore:
             for_each: blue
             triggers: [{trigger: time_reached, at_s: 0.32}]
             actions:
-              - {action: score, entrant: blue, points: [{counter: laps, entity: each, weight: 10}, {flag: home, entity: each}]}
-              - {action: score, entrant: yellow, points: [{counter: laps}, {flag: home}]}
+              - {action: score, entrant: blue, points: {sum: [{counter: laps, entity: each, times: 10}, {flag: home, entity: each}]}}
+              - {action: score, entrant: yellow, points: {sum: [{sum: {counter: laps}}, {highest: {flag: home}}]}}
         """
         play = acted(stage(state))
         paid = [firing.scored for firing in play.firings if firing.rule == "pays"]
@@ -116,7 +117,7 @@ class TestActionCount:
             ("by: {flag: up}", 6),
             ("by: {flag: down}", 5),
             ("to: {flag: seen, entity: Y1}", 0),
-            ("by: {word: time_left_s}", 64),
+            ("by: {word: time_left_s, round: down}", 64),
             ("to: {word: halftime}", 1),
             ("by: {draw: bonus}", 7),
             ("by: {word: measured}", 5.32),

@@ -137,7 +137,7 @@ class TestConditionSequenceAt:
         ],
     )
     def test_step_of_the_selected_sequence_is_tested(self, stage, ask, whose, answers):
-        play = stage(PLAIN, ASKING % f"{{condition: sequence_at, sequence: way, step: a{whose}}}")
+        play = stage(PLAIN, ASKING % f"{{sequence: way, equals: a{whose}}}")
         found = [ask(play)]
         for robot in ("Y1", "B2"):
             play.place(robot, *A)
@@ -147,8 +147,8 @@ class TestConditionSequenceAt:
     def test_each_is_the_current_one_and_other_the_one_touched(self, stage):
         meets = (
             "rules: {meets: {for_each: yellow, triggers: [{trigger: touches, entity: each, other: blue}], conditions: "
-            "[{condition: sequence_at, sequence: way, entity: each, step: a}, {condition: sequence_at, sequence: way, "
-            "entity: other, step: b}], actions: [{action: emit, event: MET}]}}"
+            "[{sequence: way, entity: each, equals: a}, {sequence: way, "
+            "entity: other, equals: b}], actions: [{action: emit, event: MET}]}}"
         )
         play = stage(PLAIN, meets)
         walk(play, "Y1", A)
@@ -177,9 +177,9 @@ class TestActionSequence:
 
 class TestPhasesInWhichASequenceIsFollowed:
     def test_also_those_of_a_rule_that_asks_for_it_within_conditions_within_conditions(self, stage):
-        deep = "{condition: sequence_at, sequence: way, step: a}"
-        for word in ("any_of", "all_of", "any_of"):
-            deep = f"{{condition: {word}, conditions: [{deep}]}}"
+        deep = "{sequence: way, equals: a}"
+        for _ in range(3):
+            deep = f"{{any_of: [[{deep}]]}}"
         pause = (
             "phases: {play: {}, pause: {lasts_s: 1, next: play}}\n"
             "rules: {fell: {triggers: [{trigger: tips_over, entity: B2}], actions: [{action: set_phase, phase: pause}]},"

@@ -123,7 +123,7 @@ class TestActionSetSpot:
         assert play.pose("ball")[:2] == pytest.approx((0.5, 0.5))
 
     def test_actions_after_it_read_the_new_place_and_conditions_of_the_tick_the_old_one(self, stage):
-        near = "conditions: [{condition: distance, entity: ball, to: found, at_most: 0.01}],"
+        near = "conditions: [{distance: [ball, found], at_most: 0.01}],"
         paid = "{action: score, entrant: yellow, points: {distance: [ball, found]}}"
         later = once(10, "{action: score, entrant: blue}", name="later", more=near)
         play = stage(PITCH, once(10, paid, set_to("ball"), paid), later)
@@ -136,11 +136,11 @@ class TestWhereARememberedPlaceStands:
     @pytest.mark.parametrize(
         ("condition", "before", "after"),
         [
-            ("{condition: distance, entity: ball, to: found, at_most: 0.05}", False, True),
-            ("{condition: distance, entity: ball, to: both, at_most: 0.05}", False, True),
-            ("{condition: spot_free, spot: found}", True, False),
-            ("{condition: spot_free, spot: both, of: all}", True, False),
-            ("{condition: looks, entity: Y1, towards: found, within_rad: 0.05}", False, True),
+            ("{distance: [ball, found], at_most: 0.05}", False, True),
+            ("{distance: [ball, both], at_most: 0.05}", False, True),
+            ("{spot_free: found}", True, False),
+            ("{spot_free: both, of: all}", True, False),
+            ("{entity: Y1, looks: found, within_rad: 0.05}", False, True),
         ],
     )
     def test_conditions_ask_for_where_it_is_now(self, stage, ask, condition, before, after):

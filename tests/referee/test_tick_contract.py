@@ -64,7 +64,7 @@ class TestLine0:
         rules:
           begin:
             triggers: [{{trigger: half_started}}]
-            conditions: [{{condition: drawn, draw: side, equals: left}}]
+            conditions: [{{draw: side, equals: left}}]
             actions: [{{action: place, entity: ball, at: {{point: [0.3, 0]}}}}, {EMIT}]
           came: {{triggers: [{IN_MIDDLE}], actions: [{{action: emit, event: CAME}}]}}
         """)
@@ -104,7 +104,7 @@ class TestLine2:
         assert event_ticks(play) == [1, 2, 3]
 
     def test_2_3_levels_are_judged_on_the_last_sub_step(self, stage):
-        play = stage(once(1, EMIT, more="conditions: [{condition: in_zone, entity: ball, zone: right}],"))
+        play = stage(once(1, EMIT, more="conditions: [{entity: ball, in: right}],"))
         feed(play, (0.3, 0.0), (0.3, 0.0), (0.3, 0.0), (0.0, 0.0))
         assert event_ticks(play) == []
 
@@ -114,15 +114,15 @@ class TestLine3:
         play = stage(
             "timers: {egg: {lasts_s: 3.2, starts: true}}\n"
             "sequences: {way: {entity: ball, steps: [middle, right], cyclic: true}}",
-            once(10, EMIT, more="conditions: [{condition: timer, timer: egg, equals: 0.32}, "
-                                "{condition: sequence_at, sequence: way, step: right}],"),
+            once(10, EMIT, more="conditions: [{timer: egg, equals: 0.32}, "
+                                "{sequence: way, equals: right}],"),
         )  # fmt: skip
         play.play(9)
         place(play, "ball", 0.3, 0.0)
         assert event_ticks(play) == [10]
 
     def test_3_2_all_are_evaluated_against_the_state_at_the_start_of_the_tick(self, stage):
-        flag = "{condition: flag, flag: up}"
+        flag = "{flag: up}"
         play = stage(
             "flags: {up: {}}",
             once(5, "{action: set_flag, flag: up}", name="first"),
@@ -261,7 +261,7 @@ class TestLine4:
 
     def test_4_8_the_rules_of_a_later_round_see_what_the_earlier_one_counted(self, stage):
         play = stage("counters: {hits: {}}", once(5, "{action: count, counter: hits}"),
-                     *[once(5, EMIT, name=name, more=f"{more}conditions: [{{condition: counter, counter: hits, at_least: 1}}],")
+                     *[once(5, EMIT, name=name, more=f"{more}conditions: [{{counter: hits, at_least: 1}}],")
                        for name, more in (("same", ""), ("later", "priority: 1, "))])  # fmt: skip
         play.play(5)
         assert [firing.rule for firing in play.firings] == ["act", "later"]
@@ -381,7 +381,7 @@ class TestLine5:
         play = self._settled(
             stage, self.END, self.TOTAL,
             "rules: {last: {triggers: [{trigger: half_ended}], actions: [{action: count, counter: hits, by: 3}]}, "
-            "enough: {triggers: [{trigger: holds, condition: {condition: counter, counter: hits, at_least: 3}}], "
+            "enough: {triggers: [{trigger: holds, conditions: [{counter: hits, at_least: 3}]}], "
             "actions: [{action: score, entrant: yellow}]}}",
         )  # fmt: skip
         assert play.referee.scores["yellow"] == 1
@@ -391,7 +391,7 @@ class TestLine5:
             stage, self.END, "timers: {egg: {lasts_s: 0.192, starts: true}}",
             "rules: {rings: {triggers: [{trigger: timer_expired, timer: egg}, {trigger: time_reached, at_s: 0.192}], "
             "actions: [{action: emit, event: LATE}]}}",
-            "rules: {waits: {triggers: [{trigger: holds, condition: {condition: in_zone, entity: ball, zone: middle}, for_s: 0.192}], "
+            "rules: {waits: {triggers: [{trigger: holds, conditions: [{entity: ball, in: middle}], for_s: 0.192}], "
             "actions: [{action: emit, event: LATE}]}}",
         )  # fmt: skip
         assert event_ticks(play, "LATE") == []
@@ -414,7 +414,7 @@ class TestLine5:
         play = self._settled(
             stage, self.END,
             "rules: {last: {triggers: [{trigger: half_ended}], actions: [{action: remove, entity: Y1}, {action: emit, event: GONE}]}, "
-            "then: {triggers: [{trigger: event, event: GONE}], conditions: [{condition: distance, entity: Y1, to: ball, at_most: 9}], "
+            "then: {triggers: [{trigger: event, event: GONE}], conditions: [{distance: [Y1, ball], at_most: 9}], "
             "actions: [{action: emit, event: SEEN}]}}",
         )  # fmt: skip
         assert play.names() == ["GONE"]

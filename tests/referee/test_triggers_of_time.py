@@ -207,7 +207,7 @@ def test_robot_tips_over_when_it_falls_and_again_only_after_it_stood(stage):
 
 
 def in_zone(more: str) -> str:
-    return hears(f"holds, condition: {{condition: in_zone, entity: ball, zone: right}}, {more}")
+    return hears(f"holds, conditions: [{{entity: ball, in: right}}], {more}")
 
 
 class TestTriggerHolds:
@@ -237,9 +237,9 @@ class TestTriggerHolds:
 
     @pytest.mark.parametrize(("for_s", "heard"), [(0, []), (0.05, [4])])
     def test_a_removal_starts_the_duration_of_a_condition_that_it_makes_true(self, stage, for_s, heard):
-        empty = "{condition: in_zone, entity: [ball, Y1], zone: right, of: none}"
+        empty = "{entity: [ball, Y1], in: right, of: none}"
         play = stage(
-            hears(f"holds, condition: {empty}, for_s: {for_s}"),
+            hears(f"holds, conditions: [{empty}], for_s: {for_s}"),
             rule("trigger: touches, entity: Y2, other: ball", "{action: remove, entity: ball}"),
         )
         place(play, "ball", 0.3, 0.0)

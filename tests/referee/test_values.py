@@ -10,7 +10,7 @@ class TestValueCounter:
     def test_it_is_the_count_or_the_score(self, stage):
         play = stage(
             "counters: {all: {initial: 2}, own: {per: robots, initial: 1.5}}",
-            emitting("{a: {counter: all}, b: {counter: own}, c: {counter: own, entity: B1}, d: {counter: yellow}}"),
+            emitting("{a: {counter: all}, b: {counter: own}, c: {counter: own, entity: B1}, d: {score: yellow}}"),
             scores={"blue": 0, "yellow": 7},
         )
         assert payload(play) == {"a": 2, "b": 6, "c": 1.5, "d": 7}
@@ -111,7 +111,7 @@ def test_a_name_that_looks_like_a_placeholder_stays_a_name(stage):
 
 
 class TestBroadcast:
-    FIELDS = "{score: {counter: blue}, phase: {word: phase}, ball: {position_of: ball}}"
+    FIELDS = "{score: {score: blue}, phase: {word: phase}, ball: {position_of: ball}}"
 
     def test_it_has_the_state_after_the_actions_on_every_tick(self, stage):
         play = stage(

@@ -54,13 +54,13 @@ class TestConditionWay:
         ],
     )  # fmt: skip
     def test_it_compares_the_way_of_an_entity(self, stage, ask, compared, holds):
-        play = stage("counters: {budget: {initial: 0.55}}", ASKING % f"{{condition: way, entity: Y1, {compared}}}")
+        play = stage("counters: {budget: {initial: 0.55}}", ASKING % f"{{way: Y1, {compared}}}")
         walk(play, "Y1", (-0.4, -0.2), (-0.4, -0.5), ticks=10)
         assert ask(play) is holds
 
     def test_a_robot_off_the_field_has_come_as_far_as_before(self, stage, ask):
         gone = once(20, "{action: remove, entity: Y1}")
-        play = stage(ASKING % "{condition: way, entity: Y1, at_least: 0.2}", gone)
+        play = stage(ASKING % "{way: Y1, at_least: 0.2}", gone)
         walk(play, "Y1", (-0.4, -0.2), ticks=10)
         play.play_until(25)
         assert ask(play)
@@ -71,7 +71,7 @@ class TestConditionWay:
           back: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: place, entity: Y1, at: start}]}
           used_up:
             for_each: robots
-            triggers: [{trigger: holds, condition: {condition: way, entity: each, at_least: 0.49}}]
+            triggers: [{trigger: holds, conditions: [{way: each, at_least: 0.49}]}]
             actions: [{action: emit, event: USED_UP, payload: {who: {word: robot_name}}}]
         """
         play = stage(budget)

@@ -20,7 +20,7 @@ rules:
     conditions: [%s]
     actions: [%s]
 """
-NEAR = "{condition: distance, entity: Y1, to: %s, %s}"
+NEAR = "{distance: [Y1, %s], %s}"
 CIRCLE = re.compile(
     r'<circle cx="([\d.]+)" cy="([\d.]+)" r="([\d.]+)"[^>]*class="distance"[^>]*><title>([^<]*)</title>'
 )
@@ -51,15 +51,15 @@ def circles_of(picture: str) -> list[tuple[float, float, float, str]]:
             [(0.1, 0.2, 0.1, "0.1 m from hill"), (0.1, 0.2, 0.2, "0.2 m from hill")],
         ),
         (
-            "{condition: spot_free, spot: marks, of: none}",
+            "{spot_free: marks, of: none}",
             [(0.1, 0.2, 0.08, "0.08 m from hill"), (0.0, 0.0, 0.08, "0.08 m from centre")],
         ),
-        ("{condition: spot_free, spot: hill, clearance_m: 0}", []),
+        ("{spot_free: hill, clearance_m: 0}", []),
         (NEAR % ("ball", "at_most: 0.1"), []),  # it moves
         (NEAR % ("blue_goal", "at_most: 0.1"), []),
         (NEAR % ("hill", "at_most: {counter: reach_m}"), []),
         (NEAR % ("hill", "at_most: 0.2") + ", " + NEAR % ("hill", "at_most: 0.2"), [(0.1, 0.2, 0.2, "0.2 m from hill")]),
-        ("{condition: any_of, conditions: [" + NEAR % ("hill", "at_most: 0.2") + "]}", [(0.1, 0.2, 0.2, "0.2 m from hill")]),
+        ("{any_of: [" + NEAR % ("hill", "at_most: 0.2") + "]}", [(0.1, 0.2, 0.2, "0.2 m from hill")]),
     ],
 )  # fmt: skip
 def test_distance_from_a_spot_or_a_point_is_a_circle(condition, circles):

@@ -33,7 +33,7 @@ def test_the_picture_marks_it_in_the_colour_of_what_rules_put_and_tells_where_it
 
 
 NEAR = (
-    "  near: {triggers: [{trigger: holds, condition: {condition: distance, entity: Y1, to: found, at_most: 0.3}}], "
+    "  near: {triggers: [{trigger: holds, conditions: [{distance: [Y1, found], at_most: 0.3}]}], "
     "actions: [{action: emit, event: NEAR}]}\n"
 )
 
@@ -59,7 +59,7 @@ class TestSetAsTheHalfStarts:
         "more",
         [
             "phases: [later], ",
-            "conditions: [{condition: half, equals: 2}], ",
+            "conditions: [{word: halftime, equals: 2}], ",
             "exclusive: one, ",
         ],
     )

@@ -15,7 +15,7 @@ sequences: {way: {entity: Y3, steps: [blue_goal, yellow_goal]}, round: {per: blu
 """
 CROSSES = "for_each: doors, triggers: [{trigger: crosses, entity: yellow, gate: each}]"
 TOUCHES = "for_each: robots, triggers: [{trigger: touches, entity: each, other: robots}]"
-STILL = "{trigger: holds, condition: {condition: speed, entity: each, at_most: 0.01}, for_s: 5%s}"
+STILL = "{trigger: holds, conditions: [{speed: each, at_most: 0.01}], for_s: 5%s}"
 
 
 @pytest.mark.parametrize(

@@ -97,7 +97,7 @@ extends: soccersim_v2
 rules:
   goal:
     {each}triggers: [{{trigger: enters, entity: ball, zone: yellow_goal}}]
-    conditions: [{{condition: last_touch, by: {by}}}]
+    conditions: [{{last_touch: ball, equals: {by}}}]
     actions: [{{action: score, entrant: {who}}}]
 """
 
