@@ -36,6 +36,7 @@ PLAYS = (
     Play("fast_shooter", {"yellow": "fast_shooter"}),
     Play("pass_the_ball", {"yellow": "pass_the_ball"}),
     Play("precision_lidar", {"yellow": "precision_lidar"}),
+    Play("examples/colour_hunt", {"yellow": "colour_hunt"}),
     Play("examples/hot_spot", {"blue": "hot_spot", "yellow": "hot_spot"}),
     Play("examples/keeper", {"yellow": "keeper"}),
     Play("examples/market", {"yellow": "market"}),

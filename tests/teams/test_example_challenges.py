@@ -9,6 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.commands import app
+from tests.teams.test_workshop import AT_RANDOM
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -57,3 +58,42 @@ def test_the_keeper_stops_more_than_it_lets_in(play):
     result = play("keeper", "--yellow", team, "--set", "shots=8")
     assert result["faults"] == []
     assert 5 <= result["score"]["yellow"] <= 16
+
+
+HUNTERS = ("colour_hunt", "colour_hunt_recognition")
+
+
+@pytest.mark.parametrize("name", HUNTERS)
+def test_balls_are_found_by_their_colour(play, name):
+    result = play("colour_hunt", "--duration", "15", "--yellow", str(ROOT / "examples" / "teams" / name))
+    assert result["faults"] == []
+    assert result["score"]["yellow"] >= 5
+
+
+@pytest.mark.parametrize("name", HUNTERS)
+def test_the_programs_of_the_colour_hunt_are_short(name):
+    lines = (ROOT / "examples" / "teams" / name / "robot.py").read_text(encoding="utf-8").splitlines()
+    assert len(lines) <= 80
+    assert max(map(len, lines)) <= 120
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(1800)
+@pytest.mark.parametrize("name", HUNTERS)
+def test_in_two_minutes_at_least_eight_balls_are_found(play, name):
+    team = ("--yellow", str(ROOT / "examples" / "teams" / name))
+    results = [play("colour_hunt", *team, "--seed", str(seed)) for seed in range(1, 11)]
+    # A found ball gives 3 points, and other balls cost some: at least a third of the points were found.
+    found = [result["score"]["yellow"] / 3 for result in results]
+    assert sum(found) / len(found) >= 8, found
+    assert min(found) >= 4, found
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(1800)
+def test_a_driver_at_random_scores_about_nothing_in_the_colour_hunt(play, tmp_path):
+    (tmp_path / "team").mkdir()
+    (tmp_path / "team" / "robot.py").write_text(AT_RANDOM, encoding="utf-8")
+    results = [play("colour_hunt", "--yellow", str(tmp_path / "team"), "--seed", str(seed)) for seed in range(1, 11)]
+    points = [result["score"]["yellow"] for result in results]
+    assert abs(sum(points)) / len(points) <= 3, points
