@@ -12,13 +12,14 @@ from contextlib import closing, suppress
 from pathlib import Path
 
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.tournament.store.store import STORE_FILE
 from rcj_challenges.web.blobs import Blobs, match_folder
 from rcj_challenges.web.codes import BACKUP_DATABASE, SITE_EXISTS
 from rcj_challenges.web.config import SECRET_FILE, SITE_FILE, SiteConfig
 from rcj_challenges.web.errors import SiteError
 
 _DATABASE = "site.sqlite3"
-_FOLDERS = ("blobs", "reports", "matches")
+_FOLDERS = ("blobs", "reports", "matches", "events")
 
 
 def back_up(config: SiteConfig, target: Path) -> None:
@@ -38,11 +39,8 @@ def back_up(config: SiteConfig, target: Path) -> None:
     target.mkdir(mode=0o700, parents=True, exist_ok=True)
     (target / "incoming").mkdir()
     # In one step: each write of another process would begin a backup in steps anew.
-    with (
-        closing(sqlite3.connect(config.folder / _DATABASE)) as source,
-        closing(sqlite3.connect(target / _DATABASE)) as copy,
-    ):
-        source.backup(copy)
+    _copy_database(config.folder / _DATABASE, target / _DATABASE)
+    with closing(sqlite3.connect(target / _DATABASE)) as copy:
         named = {sha256 for (sha256,) in copy.execute("SELECT sha256 FROM web_submission WHERE NOT is_deleted")}
     for name in (SITE_FILE, SECRET_FILE):
         shutil.copy2(config.folder / name, target / name)
@@ -51,8 +49,18 @@ def back_up(config: SiteConfig, target: Path) -> None:
         for folder, _, files in os.walk(config.folder / name):
             for file in files:
                 path = Path(folder, file)
-                if name != "blobs" or path.stem in named:  # others came since
+                if path.name == STORE_FILE:
+                    (target / path.relative_to(config.folder)).parent.mkdir(parents=True, exist_ok=True)
+                    _copy_database(path, target / path.relative_to(config.folder))
+                elif path.name.startswith(STORE_FILE):  # what SQLite keeps beside it
+                    continue
+                elif name != "blobs" or path.stem in named:  # others came since
                     _link(path, target / path.relative_to(config.folder))
+
+
+def _copy_database(source: Path, target: Path) -> None:
+    with closing(sqlite3.connect(source)) as own, closing(sqlite3.connect(target)) as copy:
+        own.backup(copy)
 
 
 def _link(source: Path, target: Path) -> None:

@@ -1,4 +1,4 @@
-"""The process that checks or repairs one submission or plays one match: the only one that opens a team's files.
+"""The process that checks or repairs a submission, or plays a match or an event: the only one that opens teams' files.
 
 It reads a request from standard input, and writes JSON lines to standard output: a line for each stage, and the report.
 When its standard input ends, the dispatcher has ended: it then stops the programs and ends too.
@@ -22,6 +22,7 @@ from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.load import load
+from rcj_challenges.web.event_play import play_event
 from rcj_challenges.web.playing import play
 
 _END_S = 10.0
@@ -34,6 +35,8 @@ def work() -> None:
     try:
         if request["kind"] == "match":
             _write(play(request))
+        elif request["kind"] == "event":
+            _write(play_event(request, _write))
         else:
             _work(request)
     except RcjError as error:

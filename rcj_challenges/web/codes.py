@@ -61,6 +61,9 @@ Take the number from the page of the ladder.""")
 BACKUP_DATABASE = Code("backup-database", page="""
 `site backup` copies the SQLite database of a site. The database of this site is a server of PostgreSQL.
 Make its backup with `pg_dump`, and copy the folder of the site after it.""")
+EVENT_CHANGED = Code("event-changed", page="""
+The hashes of what plays in an event were published. An archive in its folder `frozen` is another one now.
+Copy it from a backup.""")
 SITE_PROBLEMS = Code("site-problems", page="""
 `site doctor` has found archives or scenarios that are missing or damaged, or jobs that are stuck.
 Copy what is missing from a backup. Jobs can be tried again on the desk.""")

@@ -11,6 +11,8 @@ from rcj_challenges.web.models import Entry, Event, Season, State, Submission
 
 _SLOW = timedelta(seconds=MAX_BODY_S + 60)
 """How long after a deadline an upload may come that began before it: it may also have waited for its turn."""
+_HELD_UP = timedelta(seconds=30)
+"""How old the time of a receipt may be that had to wait for its turn; if it is older, the clock was set back."""
 _PENDING = (State.QUEUED, State.CHECKING, State.UNCHECKED)
 
 
@@ -37,7 +39,7 @@ def late_for(season: Season, begun_at: datetime, now: datetime) -> Event | None:
 def has_all_receipts(event: Event, now: datetime) -> bool:
     """Return whether nothing that is received now can be in time for an event whose deadline has passed."""
     assert event.closed_at is not None  # noqa: S101 - only of those that are closed
-    return event.frozen_at is not None or not event.closed_at <= now <= event.deadline + _SLOW
+    return event.frozen_at is not None or not event.closed_at - _HELD_UP <= now <= event.deadline + _SLOW
 
 
 def in_time(event: Event) -> QuerySet[Submission]:

@@ -24,13 +24,13 @@ from rcj_challenges.web import deadlines, events, jobs, matchmaking, seasons, st
 from rcj_challenges.web.blobs import Blobs, record_folder, report_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.jobs import Verdict
-from rcj_challenges.web.models import Job, Match, State, Submission, Worker
+from rcj_challenges.web.models import Event, Job, Match, State, Submission, Worker
 from rcj_challenges.web.playing import job_of
 from rcj_challenges.web.receiving import accept_repaired
 
 _START = "import sys; sys.path.append(sys.argv[1]); from rcj_challenges.web.check_process import work; work()"
 _POLL_S = 0.5
-_MAX_JOB_S = 3600.0
+_MAX_JOB_S, _MAX_EVENT_S = 3600.0, 24 * 3600.0
 _CLEAN_UP_S = 3600.0
 _KEPT_LANE = ("check", "repair")
 """Kinds of jobs for which the first of several lanes is kept."""
@@ -190,8 +190,10 @@ class Dispatcher:
         """Do a job; return what stores its result."""
         if job.match is not None:
             return self._play(job, job.match, claim)
+        if job.event is not None:
+            return self._play_event(job, job.event, claim)
         submission = job.submission
-        assert submission is not None  # noqa: S101 - a job is about one of the two
+        assert submission is not None  # noqa: S101 - a job is about one of the three
         if job.kind == "repair":
             return self._repair(job, submission, claim)
         folder = report_folder(self._config.folder, submission, job.attempt)
@@ -247,6 +249,14 @@ class Dispatcher:
 
         return store
 
+    def _play_event(self, job: Job, event: Event, claim: tuple[int, int]) -> Callable[[Job], None]:
+        events.write(event)
+        request = {"kind": "event", "sandbox": self._sandbox, "lanes": max(1, self._config.lanes // 2)}
+        answer = self._answer(job, claim, {**request, **events.request_of(event)})
+        if answer["failed"]:
+            raise _HostFaultError(answer["failed"][0])
+        return lambda _: events.store_played(event, answer, self._now())
+
     @property
     def _sandbox(self) -> str:
         return "auto" if self._config.trust_all_teams else "strict"
@@ -266,7 +276,7 @@ class Dispatcher:
         with subprocess.Popen(
             python_command(_START), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
         ) as process:
-            timer = threading.Timer(_MAX_JOB_S, process.kill)
+            timer = threading.Timer(_MAX_EVENT_S if job.event_id else _MAX_JOB_S, process.kill)
             timer.start()
             with self._lock:
                 self._processes[claim] = process

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import yaml
+from django.db.models import Q
 
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.tournament.seeds import seed_hash
@@ -18,7 +19,7 @@ from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.deadlines import close, has_all_receipts, in_time, pending
-from rcj_challenges.web.models import Event, Season, State, Submission, Team
+from rcj_challenges.web.models import Event, Job, JobState, Season, State, Submission, Team
 from rcj_challenges.web.tables import standings_of
 
 if TYPE_CHECKING:
@@ -99,6 +100,38 @@ def attend(now: datetime) -> None:
     for event in Event.objects.filter(frozen_at__isnull=False).select_related("season"):
         if not (event_folder(event) / HASHES).exists():  # a process was killed before it wrote them
             write(event)
+    due = Event.objects.filter(Q(plays=True) | Q(publish_at__lte=now))
+    for event in due.exclude(job__state__in=(JobState.QUEUED, JobState.RUNNING, JobState.STUCK)):
+        with jobs.writing():
+            jobs.enqueue("event", event.pk, now, event=event)
+
+
+# --- the matches ------------------------------------------------------------------------------------------------------
+
+
+def request_of(event: Event) -> dict[str, Any]:
+    """Return what the process of an event is to do."""
+    folder = event_folder(event)
+    teams = Team.objects.filter(pk__in=[team for team, *_ in event.frozen], is_name_public=False)
+    site = {"id": f"event{event.pk}", "home": f"/events/{event.pk}", "unnamed": [f"team{team.pk}" for team in teams]}
+    hashes = {f"team{team}": sha256 for team, sha256, _ in event.frozen}
+    return {"file": str(folder / FILE), "data": str(folder / DATA), "plays": event.plays, "url": event.address,
+            "site": site, "hashes": hashes}  # fmt: skip
+
+
+def store_played(event: Event, answer: Mapping[str, Any], now: datetime) -> None:
+    """Store what came of an event's matches; called inside `jobs.writing`."""
+    publish_at = answer["publish_at"] and datetime.fromisoformat(answer["publish_at"])
+    # A ruling may have come meanwhile, which is to be shown.
+    Event.objects.filter(pk=event.pk, publish_at=event.publish_at).update(publish_at=publish_at)
+    if event.plays:
+        Event.objects.filter(pk=event.pk).update(plays=False, played_at=now if answer["is_over"] else None)
+
+
+def pause(event: Event) -> None:
+    """Stop the matches of an event; a dispatcher ends their process within seconds. Called inside `jobs.writing`."""
+    Event.objects.filter(pk=event.pk).update(plays=False)
+    Job.objects.filter(event=event).update(state=JobState.DONE, worker="", lease_until=None)
 
 
 # --- the folder -------------------------------------------------------------------------------------------------------

@@ -70,17 +70,26 @@ def database_now() -> datetime:
     return now
 
 
+def enqueue(kind: str, pk: int, now: datetime, **fields: Any) -> Job:
+    """Put something into the queue, or once more if that is done; called inside `writing`.
+
+    Args:
+        kind: of the job, as in `PRIORITY`.
+        pk: of what it is about.
+        now: the time.
+        fields: more of the job.
+    """
+    queued = {"state": JobState.QUEUED, "tries": 0, "not_before": now, "error": ""}
+    made = {"kind": kind, "priority": PRIORITY[kind], "created_at": now, **fields}
+    job, is_new = Job.objects.get_or_create(key=f"{kind}/{pk}", defaults={**made, **queued})
+    if not is_new:
+        Job.objects.filter(pk=job.pk, state=JobState.DONE).update(**queued)
+    return job
+
+
 def enqueue_check(submission: Submission, now: datetime) -> Job:
     """Put the check of a submission into the queue; called inside `writing`."""
-    return Job.objects.create(
-        kind="check",
-        key=f"check/{submission.pk}",
-        submission=submission,
-        team=submission.team,
-        priority=PRIORITY["check"],
-        not_before=now,
-        created_at=now,
-    )
+    return enqueue("check", submission.pk, now, submission=submission, team=submission.team)
 
 
 def waiting(now: datetime) -> QuerySet[Job]:
@@ -144,10 +153,11 @@ def renew(worker: str, held: Collection[tuple[int, int]], now: datetime) -> set[
 
 
 def report_progress(job: Job, progress: str) -> None:
-    """Store which stage a job has reached, if it is still this worker's."""
+    """Store which stage a job has reached, if it is still this worker's; an event that goes on has all its tries."""
     with writing():
         mine = Job.objects.filter(pk=job.pk, worker=job.worker, attempt=job.attempt, state=JobState.RUNNING)
-        mine.update(progress=progress[:40])
+        job.tries = 1 if job.event_id is not None else job.tries
+        mine.update(progress=progress[:40], tries=job.tries)
 
 
 def finish(job: Job, now: datetime, lane_s: float, store: Callable[[Job], None]) -> bool:

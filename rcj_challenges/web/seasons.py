@@ -203,20 +203,8 @@ def with_sides(matches: Any) -> Any:
 
 
 def enqueue(match: Match, kind: str, now: datetime, **fields: Any) -> Job:
-    """Put a match into the queue, or one whose record is gone once more; called inside `jobs.writing`.
-
-    Args:
-        match: the match.
-        kind: of the job, as in `jobs.PRIORITY`.
-        now: the time.
-        fields: more of the job.
-    """
-    queued = {"state": JobState.QUEUED, "tries": 0, "not_before": now, "error": ""}
-    made = {"kind": kind, "match": match, "priority": jobs.PRIORITY[kind], "created_at": now, **fields}
-    job, is_new = Job.objects.get_or_create(key=f"{kind}/{match.pk}", defaults={**made, **queued})
-    if not is_new:
-        Job.objects.filter(pk=job.pk, state=JobState.DONE).update(**queued)
-    return job
+    """Put a match into the queue, or one whose record is gone once more; called inside `jobs.writing`."""
+    return jobs.enqueue(kind, match.pk, now, match=match, **fields)
 
 
 def store_result(match: Match, answer: Mapping[str, Any], now: datetime) -> None:

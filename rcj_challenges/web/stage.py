@@ -39,11 +39,8 @@ def public_replay(match: Match, own: Iterable[tuple[int, str]] = ()) -> ReplayDa
     from rcj_challenges.tournament.site.public import ReplayData, public_facts, read_replay  # noqa: PLC0415 - heavy
 
     replay = read_replay((record_folder(current_site().folder, match) / REPLAY).read_text(encoding="utf-8"))
-    facts = public_facts(replay.facts, own)
-    for shown in facts["teams"]:
-        if not getattr(match, shown["name"]).team.is_name_public:
-            shown.pop("logo", None)
-    return ReplayData(facts, replay.poses)
+    unnamed = [side for side in seasons.SIDES if not getattr(match, side).team.is_name_public]
+    return ReplayData(public_facts(replay.facts, own, unnamed), replay.poses)
 
 
 def candidates(season: Season | None) -> list[Match]:

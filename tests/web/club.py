@@ -150,6 +150,9 @@ def make_club(config: SiteConfig) -> Club:
     with jobs.writing():
         deadlines.close(NOW + timedelta(seconds=1))
     events.freeze(event, NOW + timedelta(hours=1))
+    published = events.event_folder(event) / events.DATA / "site"
+    published.mkdir(parents=True)
+    (published / "index.html").write_text("Cup", encoding="utf-8")
     clients = {role: new_client() for role in ROLES}
     for role, owner in (("team", "own"), ("other team", "foreign")):
         assert clients[role].post("/enter", {"code": codes[owner]}).status_code == 302

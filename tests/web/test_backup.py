@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
+from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.web import dispatcher, jobs, seasons
 from rcj_challenges.web.backup import back_up, problems
 from rcj_challenges.web.blobs import Blobs
@@ -59,6 +60,19 @@ def test_next_match_of_a_restored_site_is_played_and_ends_as_on_the_other(
             assert len(standings_of(basis).published.matches) == 2
     assert digests[0] == digests[1]
     assert played.pk != waiting.pk
+
+
+def test_tournament_of_an_event_is_copied_as_it_is_at_this_moment(site: SiteConfig, tmp_path: Path) -> None:
+    data = site.folder / "events" / "1" / "tournament_data"
+    (data.parent / "frozen").mkdir(parents=True)
+    (data.parent / "frozen" / "team1.zip").write_bytes(b"x")
+    with Store(data, writing=True) as store:
+        store.keep_drawn({"seed": 1})
+        back_up(site, tmp_path / "copy")
+        store.keep_drawn({"seed": 2})
+    with Store(tmp_path / "copy" / "events" / "1" / "tournament_data", writing=False) as copy:
+        assert copy.drawn() == {"seed": 1}
+    assert (tmp_path / "copy" / "events" / "1" / "frozen" / "team1.zip").read_bytes() == b"x"
 
 
 def test_what_is_missing_damaged_or_stuck_is_found(site: SiteConfig, tmp_path: Path) -> None:

@@ -269,3 +269,10 @@ def test_folder_of_a_freeze_that_was_cut_off_is_written_later(
         with pytest.raises(KeyboardInterrupt):
             events.attend(COMPLETE)
     assert list(frozen().values()) == [hash_of(b"1")]
+
+
+def test_receipt_that_waited_for_its_turn_while_the_deadline_passed_is_in_time(site: SiteConfig) -> None:
+    team, _ = make_team()
+    make_event()
+    events.attend(NOW + 2 * SECOND)
+    assert hand_in(site, team, b"x", now=NOW + SECOND, begun_at=NOW - SECOND).late_for is None

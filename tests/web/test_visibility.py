@@ -36,6 +36,11 @@ TABLE: dict[str, tuple[str, str, set[str]]] = {
     "match_again": ("POST", "practice", READERS),
     "events": ("GET", "", ALL),
     "event": ("GET", "event", ALL),
+    "event_site": ("GET", "event", ALL),
+    "event_file": ("GET", "event", ALL),
+    "calendar": ("GET", "", ALL),
+    "feed": ("GET", "", ALL),
+    "rule": ("POST", "event", ORGANIZER),
     "event_hashes": ("GET", "event", ALL),
     "new_event": ("GET", "", ORGANIZER),
     "desk_event": ("GET", "event", ORGANIZER),
@@ -112,6 +117,8 @@ def answered(club: Club, role: str, name: str, owner: str) -> tuple[bool, Any]:
     arguments = {"code": {"code": "AAAA"}, "": {}}.get(kind, {"pk": pk})
     if name == "replay":
         arguments["name"] = REPLAY
+    if name == "event_file":
+        arguments["path"] = "index.html"
     if name == "match_log":
         arguments["robot"] = "B1"
     client = club.clients[role]

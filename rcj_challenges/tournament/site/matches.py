@@ -74,7 +74,7 @@ def _made_from(season: Season, match: MatchView, templates: str) -> str:
     return fingerprint(
         [
             templates, repr(match.fixture), match.stage.title, repr(match.outcome), str(match.at), match.lot_winner,
-            [season.name(team) for team in match.teams],
+            [season.name(team) for team in match.teams], season.unnamed_seats(match),
             [match.played.result.get("digest"), match.played.doubtful, repr(match.played.rulings),
              dict(match.played.submissions), str(match.played.played_at)] if match.played else None,
             [(path.name, path.stat().st_mtime_ns) for path in files if path.is_file()],
@@ -90,7 +90,7 @@ def _write(tree: Tree, renderer: Renderer, season: Season, match: MatchView, fol
     replay = _replay(record)
     downloads = []
     if replay is not None:
-        facts = public_facts(replay.facts)
+        facts = public_facts(replay.facts, without_logos=season.unnamed_seats(match))
         tree.write(f"{folder}/replay.html", page_text(facts, replay.poses))
         replay = ReplayData(facts, replay.poses)
         downloads.append(("replay.html", "the replay, one file"))

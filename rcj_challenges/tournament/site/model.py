@@ -141,6 +141,10 @@ class Season:
         """Return the name of a team: without control characters, never empty, no two alike."""
         return self._names.get(team, team)
 
+    def unnamed_seats(self, match: MatchView) -> list[str]:
+        """Return the seats of teams whose logos are not to be shown."""
+        return [side.seat for side in match.fixture.sides if not set(self.source.unnamed).isdisjoint(side.teams)]
+
     def label(self, teams: Iterable[str]) -> str:
         """Return the name of a side: of a super team the names of its teams."""
         return " + ".join(map(self.name, teams))

@@ -43,7 +43,7 @@ def publish_premieres(tree: Tree, data: Tree, season: Season, renderer: Renderer
             continue
         tree.write(f"premiere/{match.slug}.html", _page(season, match))
         played = season.played(match.fixture)
-        if recording := _recording(match, played.record if played else None):
+        if recording := _recording(season, match, played.record if played else None):
             data.write(f"{match.slug}.js", recording)
             recordings.append(Recording(data.target / f"{match.slug}.js", match.at))
             if match.at <= season.source.now:
@@ -71,7 +71,7 @@ def _page(season: Season, match: MatchView) -> str:
     )
 
 
-def _recording(match: MatchView, record: Path | None) -> str:
+def _recording(season: Season, match: MatchView, record: Path | None) -> str:
     """Return the recording as a script that gives itself to the page; empty if there is none."""
     if record is None:
         return ""
@@ -79,5 +79,6 @@ def _recording(match: MatchView, record: Path | None) -> str:
         replay = read_replay((record / REPLAY).read_text("utf-8"))
     except (OSError, ValueError):
         return ""
-    data = {"id": match.slug, "facts": public_facts(replay.facts), "poses": replay.poses}
+    facts = public_facts(replay.facts, without_logos=season.unnamed_seats(match))
+    data = {"id": match.slug, "facts": facts, "poses": replay.poses}
     return f"window.premiere({inert_json(data)});\n"

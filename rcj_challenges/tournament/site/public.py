@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from html.parser import HTMLParser
 from typing import Any
@@ -116,11 +116,20 @@ class _Blocks(HTMLParser):
             self.found[self._id] = self.found.get(self._id, "") + data
 
 
-def public_facts(facts: Mapping[str, Any], own: Iterable[tuple[int, str]] = ()) -> dict[str, Any]:
-    """Return the facts of a replay without details of faults, except those of ``own`` (half, robot)."""
+def public_facts(
+    facts: Mapping[str, Any], own: Iterable[tuple[int, str]] = (), without_logos: Collection[str] = ()
+) -> dict[str, Any]:
+    """Return the facts of a replay without details of faults, except those of ``own`` (half, robot).
+
+    The logos of the seats ``without_logos`` are left out.
+    """
     own = frozenset(own)
     return {
         **facts,
+        "teams": [
+            {key: value for key, value in one.items() if key != "logo" or one["name"] not in without_logos}
+            for one in facts["teams"]
+        ],
         "sensors": {},
         "problem": "",
         "halves": [

@@ -41,6 +41,8 @@ class SiteSource:
         rounds: for the schedule.
         premieres: names of the stages whose matches are shown as a premiere when they are released.
         url: of the site on the web, ending in ``/``; empty if unknown.
+        home: address of the site of which it is a part; empty if it is none.
+        unnamed: teams whose logos are not to be shown.
     """
 
     id: str
@@ -55,6 +57,8 @@ class SiteSource:
     rounds: tuple[RoundTime, ...] = ()
     premieres: frozenset[str] = frozenset()
     url: str = ""
+    home: str = ""
+    unnamed: Collection[str] = ()
 
     @property
     def is_over(self) -> bool:

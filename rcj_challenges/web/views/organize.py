@@ -12,9 +12,9 @@ from django.utils.translation import gettext, gettext_lazy
 
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.web import deadlines, events
+from rcj_challenges.web import deadlines, events, jobs
 from rcj_challenges.web.accounts import Viewer, write_audit
-from rcj_challenges.web.models import Event, Season
+from rcj_challenges.web.models import Event, Job, Season
 from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.views.guards import only
 
@@ -108,16 +108,71 @@ def _initial(event: Event) -> dict[str, Any]:
 def _desk_page(
     request: HttpRequest, viewer: Viewer, event: Event, form: EventForm, status: int = 200
 ) -> HttpResponseBase:
-    values: dict[str, Any] = {"event": event, "form": form, "error": "", "now": timezone.now()}
+    values: dict[str, Any] = {
+        "event": event,
+        "form": form,
+        "error": "",
+        "state": None,
+        "rulings": [],
+        "job": None,
+        "now": timezone.now(),
+    }
     values["has_begun"] = events.has_begun(event)
     if event.frozen_at is None:
         values["pending"] = deadlines.pending(event).select_related("team").defer("report")[:50]
     else:
         try:
-            events.loaded(event)
+            values |= _state(event) if values["has_begun"] else {"loaded": events.loaded(event)}
         except DiagnosticError as error:
-            values["error"] = "; ".join(f"{one.message}: {one.help}" for one in error.diagnostics)
+            values["error"] = _words(error)
     return page(request, "desk_event.html", viewer, status, **values)
+
+
+def _state(event: Event) -> dict[str, Any]:
+    """Return the matches of an event, the rulings, and its job."""
+    from rcj_challenges.tournament.opened import OpenTournament  # noqa: PLC0415 - loads the code of tournaments
+    from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415
+
+    with Store(events.event_folder(event) / events.DATA, writing=False) as store:
+        tournament = OpenTournament(events.loaded(event), store)
+        state = tournament.state()
+        return {"state": state, "rulings": tournament.rulings, "job": Job.objects.filter(event=event).first()}
+
+
+@only("organizer", post=True)
+def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
+    """Note a ruling on a match, or that a team leaves, or take the last one back."""
+    from rcj_challenges.tournament import rulings  # noqa: PLC0415 - loads the code of tournaments
+    from rcj_challenges.tournament.opened import OpenTournament  # noqa: PLC0415
+    from rcj_challenges.tournament.played import RulingKind  # noqa: PLC0415
+    from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415
+
+    event = get_object_or_404(Event.objects.select_related("season"), pk=pk)
+    given = {key: str(value) for key, value in request.POST.items()}
+    fixture, team, reason = given.get("match", ""), given.get("team", ""), sanitize(given.get("reason", ""), 500)
+    is_cascade = "cascade" in given
+    try:
+        kind = RulingKind(given.get("kind", ""))
+        scores = [float(int(one)) for one in given.get("score", "").split(":") if one.strip()]
+        with Store(events.event_folder(event) / events.DATA, writing=events.has_begun(event)) as store:
+            tournament = OpenTournament(events.loaded(event), store)
+            if fixture:
+                losers = [team] if kind == RulingKind.FORFEIT else ()
+                rulings.decide(tournament, fixture, kind, reason, losers=losers, scores=scores, cascade=is_cascade)
+            else:
+                is_undone = kind == RulingKind.UNDONE
+                rulings.withdraw(tournament, team, reason, undo=is_undone, cascade=is_cascade)
+    except DiagnosticError as error:
+        return message_page(request, 409, gettext("Not decided"), _words(error))
+    except ValueError:
+        return message_page(request, 400, gettext("Not decided"), gettext("Write a score as 2:1."))
+    Event.objects.filter(pk=pk).update(publish_at=timezone.now())
+    write_audit(viewer, "rule", f"{event}: {kind} {fixture or team}", reason, timezone.now())
+    return redirect("desk_event", pk=pk)
+
+
+def _words(error: DiagnosticError) -> str:
+    return "; ".join(f"{one.message}: {one.help}" for one in error.diagnostics)
 
 
 def _save(request: HttpRequest, viewer: Viewer, event: Event) -> HttpResponseBase:
@@ -143,8 +198,16 @@ def change_event(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseB
     act, now = request.POST.get("act", ""), timezone.now()
     if act == "save":
         return _save(request, viewer, event)
-    if act != "freeze":
-        return message_page(request, 400, gettext("Not done"), gettext("There is no such button."))
-    events.freeze(event, now, waits=False)
+    if act == "freeze":
+        events.freeze(event, now, waits=False)
+    elif act == "play" and event.frozen_at is not None:
+        Event.objects.filter(pk=pk).update(plays=True)
+        for job in Job.objects.filter(event=event):
+            jobs.try_again(job, now)
+    elif act == "pause":
+        with jobs.writing():
+            events.pause(event)
+    else:
+        return message_page(request, 409, gettext("Not done"), gettext("The event is not that far."))
     write_audit(viewer, f"{act} event", event, "", now)
     return redirect("desk_event", pk=pk)

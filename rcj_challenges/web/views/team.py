@@ -206,13 +206,7 @@ def repair(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
         return plain("Only a rejected submission can be repaired.", 409)
     now = timezone.now()
     with jobs.writing():
-        Job.objects.get_or_create(
-            key=f"repair/{found.pk}",
-            defaults={
-                "kind": "repair", "submission": found, "team": found.team, "not_before": now, "created_at": now,
-                "priority": jobs.PRIORITY["repair"],
-            },
-        )  # fmt: skip
+        jobs.enqueue("repair", found.pk, now, submission=found, team=found.team)
     return redirect(f"/my/submissions/{pk}")
 
 

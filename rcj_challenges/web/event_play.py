@@ -1,0 +1,105 @@
+"""The process of an event: it plays what is to be played of its tournament, and publishes what may be shown."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from datetime import timedelta
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.records.folder import utc_now
+from rcj_challenges.tournament.admission import take_submissions
+from rcj_challenges.tournament.executor import LocalExecutor
+from rcj_challenges.tournament.fixtures import JobMaker
+from rcj_challenges.tournament.load import LoadedTournament, load_tournament
+from rcj_challenges.tournament.opened import OpenTournament
+from rcj_challenges.tournament.reconcile import reconcile
+from rcj_challenges.tournament.release import release_times
+from rcj_challenges.tournament.runner import Progress, Runner
+from rcj_challenges.tournament.season import Fixture, Outcome
+from rcj_challenges.tournament.site import publish, site_source
+from rcj_challenges.tournament.store.store import Store
+from rcj_challenges.web.codes import EVENT_CHANGED
+from rcj_challenges.web.errors import SiteError
+
+_PUBLISHED_EVERY_S = 60.0
+_PREMIERE = timedelta(seconds=30)
+"""How often it is looked whether a premiere is over."""
+
+
+def play_event(request: Mapping[str, Any], write: Callable[[dict[str, Any]], None]) -> dict[str, Any]:
+    """Play and publish an event in this process.
+
+    Returns:
+        Why matches could not be played, whether all is played, and when there is something new to be shown.
+
+    Raises:
+        RcjError: the tournament cannot be played on this computer, or its archives are not those that were frozen.
+    """
+    loaded = load_tournament(request["file"])
+    with Store(Path(request["data"]), writing=request["plays"]) as store:
+        watch = _Watch(loaded, store, request, write)
+        if request["plays"]:
+            watch.play()
+        return {"failed": watch.failed, **watch.publish()}
+
+
+class _Watch:
+    """Publishes the tournament while it is played, and reports its progress."""
+
+    def __init__(
+        self,
+        loaded: LoadedTournament,
+        store: Store,
+        request: Mapping[str, Any],
+        write: Callable[[dict[str, Any]], None],
+    ) -> None:
+        self.failed: list[str] = []
+        self._loaded, self._store, self._request, self._write = loaded, store, request, write
+        self._published_at_s = 0.0
+
+    def play(self) -> None:
+        """Play all that is not played yet."""
+        tournament = OpenTournament(self._loaded, self._store)
+        teams = tournament.season.teams
+        staying = [one for one in self._loaded.entries.values() if not teams[one.id].withdrawn]
+        handed = take_submissions(staying, self._store)
+        if other := [one.team for one in handed.values() if one.archive != self._request["hashes"][one.team]]:
+            message = f"the archive of {', '.join(other)} is not the one that was frozen"
+            raise SiteError(message, "copy it from a backup into the folder of the event", code=EVENT_CHANGED)
+        tournament.refresh()
+        jobs = JobMaker(tournament, self._store.current_submissions() | handed, self._request["sandbox"])
+        reconcile(tournament, jobs, cascade=False)
+        Runner(tournament, jobs, LocalExecutor(self._store.place, self._request["lanes"]), self).run()
+
+    def publish(self) -> dict[str, Any]:
+        """Write the site; return whether all is played, and when there will be something new to be shown."""
+        tournament, now = OpenTournament(self._loaded, self._store), utc_now()
+        premieres = [name for name, stage in self._loaded.tournament.stages.items() if stage.release is not None]
+        source = site_source(tournament, now, premieres, self._request["url"])
+        publish(replace(source, **self._request["site"]), self._store.place.folder, may_shrink=True)
+        state, times = tournament.state(), release_times(self._loaded.tournament, tournament.state())
+        hidden = [at for one, at in times.items() if one in state.outcomes and one not in source.state.outcomes]
+        self._published_at_s = time.monotonic()
+        return {
+            "is_over": all(stage.status == "finished" for stage in state.stages),
+            "publish_at": max(min(hidden), now + _PREMIERE).isoformat() if hidden else None,
+        }
+
+    def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:
+        """Report how many matches are played."""
+        self._write({"stage": f"{progress.done}/{progress.done + progress.left}"})
+        if time.monotonic() > self._published_at_s + _PUBLISHED_EVERY_S:
+            self.publish()
+
+    def not_played(self, fixture: Fixture, complaint: str) -> None:
+        """Note that a match could not be played."""
+        self.failed.append(f"{fixture.id}: {complaint}")
+
+    def played_again(self, fixture: Fixture) -> None:
+        """Report nothing: it is played once more."""
+
+    def moment(self, progress: Progress) -> None:
+        """Report nothing."""
