@@ -47,8 +47,9 @@ def _inside(
             name = roster.entities[put.entity]
             if put.parked or name not in entities:
                 continue
-            # A zone that is drawn is not looked at: it may be another one at that time.
-            inside = (zone for zone in zones if zone in scenario.zones)
+            # A zone that is drawn or moves is not looked at: it may be another one, or elsewhere, at that time.
+            known = (one for one in zones if one in scenario.zones)
+            inside = (one for one in known if not getattr(scenario.zones[one], "anchor", None))
             yield from (
                 (tick, name, zone) for zone in inside if region_of(scenario.zones[zone]).contains(put.x_m, put.y_m)
             )

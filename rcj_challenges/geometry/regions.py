@@ -58,7 +58,13 @@ def cell_beside_square(x_m: float, y_m: float, centre_m: tuple[float, float], ha
 
 
 class Region(ABC):
-    """A part of the plane."""
+    """A part of the plane.
+
+    Attributes:
+        anchors: indices of the entities with which it moves.
+    """
+
+    anchors: tuple[int, ...] = ()
 
     @abstractmethod
     def contains(self, x_m: float, y_m: float) -> bool:
@@ -76,8 +82,8 @@ class Outlined(Region):
     def outline_m(self, x_m: float, y_m: float) -> float:
         """Return the distance in m of a point, inside or outside, from the outline."""
 
-    def away_m(self, x_m: float, y_m: float) -> float:
-        """Return the distance in m of a point from the region: 0 inside and on the outline."""
+    def away_m(self, x_m: float, y_m: float) -> float | None:
+        """Return the distance in m of a point from the region: 0 inside and on the outline; None: it is nowhere."""
         return 0.0 if self.contains(x_m, y_m) else self.outline_m(x_m, y_m)
 
 
@@ -195,7 +201,7 @@ class Outside(Outlined):
     """Everything but a region; its outline is the same."""
 
     def __init__(self, region: Outlined) -> None:
-        self._region = region
+        self._region, self.anchors = region, region.anchors
 
     def contains(self, x_m: float, y_m: float) -> bool:
         """Return whether the point is not in the region."""
@@ -215,6 +221,7 @@ class AnyOf(Region):
 
     def __init__(self, regions: tuple[Region, ...]) -> None:
         self._regions = regions
+        self.anchors = tuple(anchor for region in regions for anchor in region.anchors)
 
     def contains(self, x_m: float, y_m: float) -> bool:
         """Return whether the point is in any of them."""

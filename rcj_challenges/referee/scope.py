@@ -7,16 +7,19 @@ from math import sqrt
 from random import Random
 from typing import TYPE_CHECKING, TypeVar
 
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import distance_to_segment_m
-from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Region
+from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Outside, Region
 from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.scenario.models.field import Obstacle, Wall
+from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, as_tuple
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
+from rcj_challenges.tracking.circles import AnchoredCircle
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, StartPose
@@ -162,7 +165,17 @@ class NameScope:
         if zone is None:
             message = f"unknown zone {name!r}"
             raise ValueError(message)
-        return region_of(zone)
+        if not isinstance(zone, CircleZone) or zone.anchor is None:
+            return region_of(zone)
+        state, spot, index = self.state, zone.anchor, self.roster.index.get(zone.anchor)
+
+        def locate() -> Pose2 | None:
+            if index is None:
+                return (*state.spots[spot], 0.0)
+            return (state.seen or state.poses)[index] if state.present[index] else None
+
+        circle = AnchoredCircle(zone.centre_m, zone.radius_m, locate, () if index is None else (index,))
+        return Outside(circle) if zone.inverted else circle
 
     def gate(self, name: str) -> GateLine:
         gate = self.scenario.gates[name]
@@ -321,7 +334,8 @@ def _target(name: str, scope: NameScope) -> Target:
     if name in scope.roster.entities:
         return _entity(scope.roster.index[name], scope)
     if name in scenario.zones:
-        return Target(scope.zone(name).away_m, None)
+        zone = scope.zone(name)
+        return Target(zone.away_m, None, next(iter(zone.anchors), None))
     if name in scenario.gates:
         gate = scope.gate(name)
         return Target(gate.distance_m, None, gate.anchor)

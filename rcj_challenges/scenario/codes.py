@@ -125,7 +125,7 @@ NEVER_TOUCHES = Code("never-touches", page="""
 Two things never touch: one is the other, or neither can move.
 Name something that moves.""")
 NO_CENTRE = Code("no-centre", page="""
-A zone has no centre: it is inverted, a polygon, or unbounded in some direction.
+A zone has no centre: it is inverted, a polygon, unbounded in some direction, or it has an anchor.
 Use a spot or a point instead.""")
 NOT_PER_ENTITY = Code("not-per-entity", page="""
 Something is kept only once, but is used as if each entity had its own.
@@ -152,7 +152,7 @@ TOO_LATE = Code("too-late", page="""
 Something should happen after the half, or the test, is over.
 Make the half or the test longer, or let it happen earlier. Halves shortened by a param or --set do not count here.""")
 UNBOUNDED_ZONE = Code("unbounded-zone", page="""
-A random point should be drawn from a zone that is unbounded in some direction.
+A random point should be drawn from a zone that is unbounded in some direction, or that has an anchor.
 Give the zone all its bounds, or name another zone.""")
 DOES_NOT_FIT = Code("does-not-fit", page="""
 A goal or a cut corner does not fit into the field, or another goal stands there.

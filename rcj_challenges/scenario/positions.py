@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import atan2
+from math import atan2, cos, sin
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import Point, side
@@ -36,7 +36,7 @@ def centre_of(zone: Zone) -> tuple[float, float] | None:
     if zone.inverted:
         return None
     if isinstance(zone, CircleZone):
-        return zone.centre_m
+        return zone.centre_m if zone.anchor is None else None
     sides = (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) if isinstance(zone, RectZone) else (None,) * 4
     x_min, x_max, y_min, y_max = sides
     if x_min is None or x_max is None or y_min is None or y_max is None:
@@ -54,6 +54,16 @@ def middle_of(obstacle: Obstacle) -> tuple[float, float, float]:
             return *obstacle.centre_m, obstacle.yaw_rad
         case Cylinder():
             return *obstacle.centre_m, 0.0
+
+
+def at_start(zone: Zone, scenario: Scenario) -> Zone:
+    """Return a zone where it is at the start: a circle with an anchor is beside that."""
+    if not isinstance(zone, CircleZone) or zone.anchor is None:
+        return zone
+    spot = scenario.spots.get(zone.anchor)
+    x, y, yaw = start_pose(scenario, zone.anchor) if spot is None else (spot.x_m, spot.y_m, 0.0)
+    (dx, dy), c, s = zone.centre_m, cos(yaw), sin(yaw)
+    return zone.model_copy(update={"centre_m": (x + c * dx - s * dy, y + s * dx + c * dy)})
 
 
 def start_pose(scenario: Scenario, name: str) -> Pose2:

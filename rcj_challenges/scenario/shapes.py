@@ -137,7 +137,9 @@ def _shape_words(zone: Zone) -> str:
             sides = (_range_words("x", zone.x_min_m, zone.x_max_m), _range_words("y", zone.y_min_m, zone.y_max_m))
             return ", ".join(filter(None, sides)) or "everywhere"
         case CircleZone():
-            return f"within {zone.radius_m:g} of {point_words(zone.centre_m)}"
+            beside = f"{point_words(zone.centre_m)} from " if any(zone.centre_m) or zone.anchor is None else ""
+            of = f"{beside}{zone.anchor}" if zone.anchor else point_words(zone.centre_m)
+            return f"within {zone.radius_m:g} of {of}"
         case PolygonZone():
             return "polygon " + " ".join(map(point_words, zone.points_m))
     return f"beyond {point_words(zone.through_m)} towards {point_words(zone.normal)}"

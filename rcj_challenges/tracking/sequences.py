@@ -51,6 +51,7 @@ class SequenceTracker(PositionTracker):
         self._path = path
         self._steps = list(path.steps)  # in any order: as they are made
         self._zones = zones
+        self.entities = (entity, *(anchor for region in zones.values() for anchor in region.anchors))
         self._gates = gates
         self._inside: set[str] = set()
         self._at = _NOT_BEGUN
@@ -97,8 +98,10 @@ class SequenceTracker(PositionTracker):
         """Make the steps of this tick, in the order in which they happen."""
         was = before
         for now in substeps:
+            self._state.seen = now
             x, y, _ = now[self.entity]
             inside = self._zones_at(x, y)
+            self._state.seen = None
             made = [name for name in self._zones if name in inside and name not in self._inside]
             made += [name for name, gate in self._gates.items() if gate.crossed(self.entity, was, now) > 0]
             self._inside = inside

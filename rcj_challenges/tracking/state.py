@@ -49,6 +49,7 @@ class RefereeState:
     Attributes:
         clock: ticks of the half's clock: those of phases whose clock stops are not in it.
         poses: by entity, where it is now (after a placement: where it was put).
+        seen: by entity, where it is in the sub-step that a tracker looks at; None: ``poses`` are looked at.
         before: by entity, where it was a tick ago (or was put then).
         by_hand: entities that a test moved by hand since the last tick; their speed is unknown.
         uprights: by entity, cosine of the tilt.
@@ -75,6 +76,7 @@ class RefereeState:
         self.clock = 0
         self.phase = phase
         self.poses: list[Pose2] = []
+        self.seen: list[Pose2] | None = None
         self.before: list[Pose2] = []
         self.by_hand: frozenset[int] = frozenset()
         self.ways: dict[int, float] = {}

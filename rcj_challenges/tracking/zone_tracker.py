@@ -17,6 +17,7 @@ class ZoneTracker(PositionTracker):
         self.entering: list[TriggerBinding] = []
         self.leaving: list[TriggerBinding] = []
         self._region = region
+        self.entities = (entity, *region.anchors)
         self._inside = False
 
     def reset(self) -> None:
@@ -32,11 +33,13 @@ class ZoneTracker(PositionTracker):
         """Report each kind of change once a tick, also one that is undone in a later sub-step."""
         entered = left = False
         for poses in substeps:
+            self._state.seen = poses
             x, y, _ = poses[self.entity]
             inside = self._region.contains(x, y)
             if inside != self._inside:
                 self._inside = inside
                 entered, left = entered or inside, left or not inside
+        self._state.seen = None
         if entered:
             self._hits.report(self.entering)
         if left:

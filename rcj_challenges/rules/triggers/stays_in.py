@@ -73,6 +73,7 @@ class StayTracker(PositionTracker, DueTracker):
     ) -> None:  # fmt: skip
         super().__init__(state, hits, entity)
         self._region = region
+        self.entities = (entity, *region.anchors)
         self._limits = limit_s, grace_s
         self._limit_s, self._longer, self._grace = 0.0, 0, 0
         self._came: int | None = None
@@ -99,8 +100,12 @@ class StayTracker(PositionTracker, DueTracker):
     def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:
         """Begin, go on with, or leave a stay, as the judged poses say; without grace any sub-step outside ends it."""
         tick = self._state.tick
-        contains, entity = self._region.contains, self.entity
-        inside = [contains(x, y) for x, y, _ in (poses[entity] for poses in substeps)]
+        inside: list[bool] = []
+        for poses in substeps:
+            self._state.seen = poses
+            x, y, _ = poses[self.entity]
+            inside += (self._region.contains(x, y),)
+        self._state.seen = None
         if not inside[-1]:
             if self._came is not None and self._left is None:
                 self._left, self.due = tick, NEVER

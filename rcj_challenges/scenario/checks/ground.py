@@ -12,7 +12,7 @@ from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
-from rcj_challenges.scenario.models.places import HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
 from rcj_challenges.scenario.positions import floor_parts, start_pose
@@ -49,8 +49,11 @@ def _shapes(scenario: Scenario) -> Iterator[Diagnostic]:
     for model, path in walk(scenario):
         for name in roster.expand(model.uniform_in) if isinstance(model, UniformIn) else ():
             if name in scenario.zones and not _is_bounded(scenario.zones[name]):
-                message = f"zone '{name}' has no end in some direction"
-                yield issue(codes.UNBOUNDED_ZONE, (*path, "uniform_in"), message, "a random point needs a bounded zone")
+                message, help_ = (
+                    f"zone '{name}' has no end in some direction, or an anchor",
+                    "name a fixed, bounded zone",
+                )
+                yield issue(codes.UNBOUNDED_ZONE, (*path, "uniform_in"), message, help_)
 
 
 def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
@@ -62,6 +65,9 @@ def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
                 yield issue(codes.EMPTY_SHAPE, (*path, f"{axis}_min_m"), message)
         if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
             yield issue(codes.MISSING_KEY, path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
+    if isinstance(zone, CircleZone) and zone.anchor is not None and zone.drawn:
+        message = "a circle with an anchor is not painted on the field"
+        yield issue(codes.CONFLICTING_KEYS, (*path, "drawn"), message, "leave 'drawn' out", at_key=True)
     if isinstance(zone, PolygonZone) and not is_simple(zone.points_m):
         message = "the outline crosses or touches itself, or has no area"
         yield issue(codes.EMPTY_SHAPE, (*path, "points_m"), message, "give its corners in order")
@@ -74,7 +80,7 @@ def _is_a_point(obstacle: Obstacle) -> bool:
 
 
 def _is_bounded(zone: Zone) -> bool:
-    if zone.inverted or isinstance(zone, HalfPlaneZone):
+    if zone.inverted or isinstance(zone, HalfPlaneZone) or (isinstance(zone, CircleZone) and zone.anchor):
         return False
     limits = (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) if isinstance(zone, RectZone) else ()
     return None not in limits

@@ -10,7 +10,7 @@ from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.phrasing import WAITING_NOTE
 from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom
 from rcj_challenges.rules.places import At
-from rcj_challenges.rules.refs import MEMBERS, ONE_ENTITY
+from rcj_challenges.rules.refs import MEMBERS, MOVING, ONE_ENTITY, Ref
 
 
 class _Zone(Strict):
@@ -35,7 +35,12 @@ class CircleZone(_Zone):
     """A circle: all points closer to the centre than the radius."""
 
     shape: Literal["circle"]
-    centre_m: Point = described(..., "centre, [x, y] in m")
+    centre_m: Point = described((0.0, 0.0), "centre, [x, y] in m; relative to the anchor if there is one")
+    anchor: Annotated[Name | None, Ref("entity or spot", MOVING | {"spot"})] = described(
+        None,
+        "a spot at which the circle sits, or an entity with which it moves and turns: things enter it by its moving, "
+        "and while that is off the field nothing is in it; if omitted: the circle is fixed",
+    )
     radius_m: Positive = described(..., "radius in m")
 
 

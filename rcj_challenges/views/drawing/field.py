@@ -13,7 +13,7 @@ from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
-from rcj_challenges.scenario.positions import start_noise_m, start_pose
+from rcj_challenges.scenario.positions import at_start, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import Roster, with_each
 from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.shapes import (
@@ -131,7 +131,8 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
 
 def _zones(paper: Paper, scenario: Scenario) -> Section:
     entries: list[Entry] = []
-    for k, (name, zone) in enumerate(scenario.zones.items()):
+    for k, (name, written) in enumerate(scenario.zones.items()):
+        zone = at_start(written, scenario)
         marker = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
         colour, marker = (hex_of(zone.colour), _BLACK) if zone.colour else (marker, marker)
         dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
@@ -148,7 +149,7 @@ def _zones(paper: Paper, scenario: Scenario) -> Section:
         if area:
             on_floor = floor_outline(zone, scenario.field)
             paper.mark(_corner_inside(paper, on_floor if _has_room(paper, on_floor) else area), number, name, marker)
-        entries.append(Entry(f"{name}: {zone_words(zone)}", number, marker))
+        entries.append(Entry(f"{name}: {zone_words(written)}", number, marker))
     return "Zones (m; dashed: not drawn on the field)", entries
 
 

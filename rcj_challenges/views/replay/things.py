@@ -9,10 +9,12 @@ from pydantic import BaseModel
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.field import Wall
+from rcj_challenges.scenario.models.places import Zone
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.positions import at_start
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.rule_effects import fixed_spots
+from rcj_challenges.scenario.rule_effects import fixed_spots, spots_set_by_rules
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.standing import counted_names, shows_score
@@ -35,16 +37,17 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         "entities": [_entity(in_half(scenario, 1), name) for name in roster.entities],
         "fixed": [_coloured(thing) for name, thing in scenario.obstacles.items() if name not in roster.entities],
         "zones": [
-            {"name": name, **zone.model_dump(mode="json"), "colour": zone_colour(scenario, name)}
+            _zone(scenario, roster, name, zone)
             for name, zone in scenario.zones.items()
+            if getattr(zone, "anchor", None) not in spots_set_by_rules(scenario)
         ],
-        # One that moves has its posts in the frame of what it moves with; `anchor` is the place of that in the list.
+        # What moves has its posts, or its centre, in the frame of its anchor, whose place in the list `anchor` is.
         "gates": [
             gate.model_dump(mode="json")
             | {"name": name, "used": name in used, "anchor": roster.index.get(gate.anchor or "")}
             for name, gate in scenario.gates.items()
         ],
-        # Spots that rules set are left out: their positions are not in the record.
+        # Spots that rules set, and circles around them, are left out: their positions are not in the record.
         "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
         "seats": [
             {"name": name, "colour": _seat_colour(scenario, name), "letter": _initials(scenario).get(name, "")}
@@ -55,6 +58,12 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         "held_phases": [name for name, phase in scenario.phases.items() if phase.robots == "held"],
         "stopped_phases": [name for name, phase in scenario.phases.items() if phase.clock == "stops"],
     }
+
+
+def _zone(scenario: Scenario, roster: Roster, name: str, zone: Zone) -> dict[str, Any]:
+    anchor = roster.index.get(getattr(zone, "anchor", None) or "")
+    shown = at_start(zone, scenario) if anchor is None else zone
+    return {"name": name, **shown.model_dump(mode="json"), "colour": zone_colour(scenario, name), "anchor": anchor}
 
 
 def zone_colour(scenario: Scenario, name: str) -> str | None:

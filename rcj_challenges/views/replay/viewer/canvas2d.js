@@ -26,7 +26,7 @@ class Canvas2d {
     for (const shape of this.ground) this.shape(shape);
     for (const shape of frame.heat.shapes) this.shape(shape);
     for (const shape of Ground.marks(this.facts, frame.show)) this.shape(shape);
-    for (const shape of Ground.movingGates(this.facts, frame.show, frame.poses)) this.shape(shape);
+    for (const shape of Ground.movingMarks(this.facts, frame.show, frame.poses)) this.shape(shape);
     for (const trail of frame.trails) {
       for (const points of trail.pieces) this.shape({ points, line: trail.colour, width: trail.width, alpha: 0.75 });
     }

@@ -39,6 +39,7 @@ const Ground = {
     const shapes = [];
     if (shown.zones) {
       facts.zones.forEach((zone, index) => {
+        if (zone.anchor !== null) return;
         const points = Ground.zone(zone, facts.field);
         const colour = zone.colour ? Colours.rgb(zone.colour) : Ground.markColour(index);
         if (!zone.inverted) shapes.push({ points, fill: colour, alpha: 0.16 });
@@ -55,10 +56,22 @@ const Ground = {
     return shapes;
   },
 
-  /** Gates that move with an entity, where it is now. */
-  movingGates(facts, shown, poses) {
-    if (!shown.gates) return [];
-    return facts.gates.filter((gate) => gate.anchor !== null).flatMap((gate) => Ground.gate(Ground.moved(gate, poses)));
+  /** Circles and gates that move with an entity, where it is now. */
+  movingMarks(facts, shown, poses) {
+    const moving = (things) => things.filter((thing) => thing.anchor !== null);
+    const gates = shown.gates ? moving(facts.gates).flatMap((gate) => Ground.gate(Ground.moved(gate, poses))) : [];
+    const circles = (shown.zones ? moving(facts.zones) : []).map((zone) => {
+      const points = Mesh.circle(...Ground.beside(poses[zone.anchor], zone.centre_m), zone.radius_m);
+      const line = zone.colour ? Colours.rgb(zone.colour) : Ground.markColour(facts.zones.indexOf(zone));
+      return { points: [...points, points[0]], line, width: 0.007, closed: false, alpha: 0.95 };
+    });
+    return [...circles, ...gates];
+  },
+
+  /** A point in the frame of something that moves, x ahead and y to its left, as a point of the field. */
+  beside({ x: x0, y: y0, yaw }, [x, y]) {
+    const c = Math.cos(yaw), s = Math.sin(yaw);
+    return [x0 + c * x - s * y, y0 + s * x + c * y];
   },
 
   gate(gate) {
@@ -67,11 +80,10 @@ const Ground = {
     );
   },
 
-  /** A gate with its posts on the field: those of one that moves are in the frame of its entity, x ahead and y to its left. */
+  /** A gate with its posts on the field. */
   moved(gate, poses) {
     if (gate.anchor === null) return gate;
-    const { x: x0, y: y0, yaw } = poses[gate.anchor], c = Math.cos(yaw), s = Math.sin(yaw);
-    const [from_m, to_m] = [gate.from_m, gate.to_m].map(([x, y]) => [x0 + c * x - s * y, y0 + s * x + c * y]);
+    const [from_m, to_m] = [gate.from_m, gate.to_m].map((post) => Ground.beside(poses[gate.anchor], post));
     return { ...gate, from_m, to_m };
   },
 
@@ -84,8 +96,9 @@ const Ground = {
     const names = [];
     if (shown.zones) {
       for (const zone of facts.zones) {
-        const at = middle(Ground.zone(zone, facts.field));
-        names.push({ text: zone.inverted ? `outside ${zone.name}` : zone.name, at: () => at, below: true });
+        const text = zone.inverted ? `outside ${zone.name}` : zone.name, at = middle(Ground.zone(zone, facts.field));
+        const moves = zone.anchor !== null;
+        names.push({ text, moves, at: (poses) => (moves ? Ground.beside(poses[zone.anchor], at) : at), below: true });
       }
     }
     if (shown.gates) {

@@ -140,7 +140,7 @@ class Scene {
     }
     for (const { alpha, mesh } of this.marks) painter.draw("plain", mesh, alpha);
     const gates = new Mesh();
-    for (const { points, width, line } of Ground.movingGates(this.facts, frame.show, frame.poses)) gates.line(points, width, line);
+    for (const { points, width, line } of Ground.movingMarks(this.facts, frame.show, frame.poses)) gates.line(points, width, line);
     painter.drawOnce(gates, GATE_OPACITY);
     for (const trail of frame.trails) {
       const mesh = new Mesh();
