@@ -130,12 +130,13 @@ def _follow(match: ScriptedMatch, expected: Expectation) -> None:
         at = max(1, ticks_from_s(keyframe.at_s))
         # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
         _play_until(match, min(before, at - 1))
-        away = {entity: to for entity, to in keyframe.move.items() if match.is_off(entity)}
+        away = [entity for entity in keyframe.move if match.is_off(entity)]
         for entity, to in keyframe.move.items():
             if entity not in away:
                 match.glide(entity, to, at - match.tick)
         _play_until(match, at - 1)
-        for entity, to in (keyframe.place | away).items():
+        back = {entity: keyframe.move[entity] for entity in away if match.is_off(entity)}
+        for entity, to in (keyframe.place | back).items():
             match.place(entity, *to)
         _act(match, keyframe)
         before = at

@@ -165,6 +165,10 @@ rules:
     def test_it_does_not_come_back_a_second_time(self, run):
         assert run("poses: {Y1: [0.4, 0]}", ", {at_s: 0.64, place: {Y1: [0.4, 0]}}", for_s=1) == []
 
+    def test_it_stays_where_a_rule_put_it_before_it_would_have_moved_back(self, run):
+        frames = ", {at_s: 0.64}, {at_s: 1.92, move: {Y1: [0.4, 0.4]}}"
+        assert run("poses: {Y1: [-0.4, -0.5]}", frames, for_s=1) == []
+
     def test_what_a_rule_removes_on_its_way_stays_off(self, differences):
         way = "lasts_s: 2, keyframes: [{at_s: 0.32}, {at_s: 0.64, touch: [[Y1, ball]], move: {Y1: [0.4, 0]}}], 'off': [Y1]"
         assert differences(way, self.RULES % 30) == []
