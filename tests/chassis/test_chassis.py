@@ -8,7 +8,7 @@ from rcj_challenges.geometry.polygons import side
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load_text
 
-V2 = "schema_version: 1\nid: chassis\ntitle: Chassis\nextends: soccersim_v2\nmatch: {half_s: 60}\nkits: {v2: {%s}}\n"
+V2 = "schema_version: 2\nid: chassis\ntitle: Chassis\nextends: soccersim_v2\nmatch: {half_s: 60}\nkits: {v2: {%s}}\n"
 
 
 def refused(body: str) -> list[tuple[str, str]]:

@@ -31,7 +31,7 @@ ORDERS = {
     "spin": (0.0, 0.0, 3.0),
     "ahead and spin": (0.1, 0.0, 1.0),
 }
-GIVEN = "schema_version: 1\nid: omni\ntitle: Omni\nextends: soccersim_v2\nmatch: {half_s: 2}\n"
+GIVEN = "schema_version: 2\nid: omni\ntitle: Omni\nextends: soccersim_v2\nmatch: {half_s: 2}\n"
 
 
 @cache

@@ -12,7 +12,7 @@ ONE_EACH = [
 """Overrides of the match: one robot on each side has a program."""
 
 _ALONE = """\
-schema_version: 1
+schema_version: 2
 id: alone
 title: Alone
 extends: soccersim_v2

@@ -133,7 +133,7 @@ def test_a_challenge_asks_for_its_own_programs(tmp_path: Path, name: str, files:
 
 def test_where_teams_keep_their_sides_one_of_them_is_enough(tmp_path: Path) -> None:
     text = """
-schema_version: 1
+schema_version: 2
 id: sides
 title: Sides
 extends: soccersim_v2

@@ -51,7 +51,7 @@ def test_programs_that_fit_no_shipped_scenario_get_only_the_names_that_they_need
 
 
 OWN = """\
-schema_version: 1
+schema_version: 2
 id: match
 title: A match of another kind
 extends: soccersim_v2

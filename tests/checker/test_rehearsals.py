@@ -263,7 +263,7 @@ def test_challenges_of_one_entrant_are_played_once_with_all_their_robots(scenari
 
 
 TWO_SEATS = """\
-schema_version: 1
+schema_version: 2
 id: keep_away
 title: Keep away
 extends: soccersim_v2

@@ -24,7 +24,7 @@ from rcj_challenges.scenario.load import load
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = ("match", "fast_shooter", "pass_the_ball", "precision_lidar")
 PRESETS = ("soccersim_v2", "soccersim_2021", "empty_field")
-GOAL = """schema_version: 1
+GOAL = """schema_version: 2
 id: goal
 title: A goal
 extends: soccersim_v2

@@ -10,7 +10,7 @@ from tests.cli.conftest import ONE_ROBOT, STAND
 from tests.cli.in_this_process import here, played_one_after_the_other
 
 STOOD_STILL = """
-schema_version: 1
+schema_version: 2
 id: stood_still
 title: Stood still
 extends: match

@@ -19,7 +19,7 @@ def variant(tmp_path):
 
     def write(text: str, base: str = "fast_shooter.yaml", name: str = "mine"):
         path = tmp_path / f"{name}.yaml"
-        head = f"schema_version: 1\nid: {name}\ntitle: Mine\nextends: ./{base}\n"
+        head = f"schema_version: 2\nid: {name}\ntitle: Mine\nextends: ./{base}\n"
         path.write_text(head + text, encoding="utf-8")
         return load(path)
 
@@ -60,7 +60,7 @@ def test_a_team_does_not_play_a_variant_whose_packets_it_cannot_read(variant, ch
 
 def test_the_teams_of_the_match_play_it_with_either_version_of_the_messages(tmp_path):
     path = tmp_path / "mine.yaml"
-    head = "schema_version: 1\nid: mine\ntitle: Mine\nextends: match\n"
+    head = "schema_version: 2\nid: mine\ntitle: Mine\nextends: match\n"
     path.write_text(head + "kits: {v2: {messages: v2.2}}\n", encoding="utf-8")
     assert (chosen(load(path), "blue"), chosen(load(path))) == ("roles_and_radio", "all_sensors")
     path.write_text(head + "robots: {Y1: {kit: other}}\nkits: {other: {messages: '2021'}}\n", encoding="utf-8")

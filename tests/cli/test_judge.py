@@ -9,7 +9,7 @@ from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from tests.cli.conftest import ONE_ROBOT, STAND
 
 GIFT = """\
-schema_version: 1
+schema_version: 2
 id: gift
 title: A gift
 extends: match
@@ -82,7 +82,7 @@ def test_with_a_changed_rule_both_scores_and_the_difference_are_printed(judge):
 def test_another_scenario_judges_and_its_params_can_be_set(judge, records):
     file = records.parent / "stricter.yaml"
     file.write_text(
-        "schema_version: 1\nid: stricter\ntitle: S\nextends: gift.yaml\nrules: {goal_in_blue: null}\n", "utf-8"
+        "schema_version: 2\nid: stricter\ntitle: S\nextends: gift.yaml\nrules: {goal_in_blue: null}\n", "utf-8"
     )
     code, output = judge("--scenario", file, "--set", "gift_at_s=0.5")
     assert code == 0

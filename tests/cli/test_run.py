@@ -148,7 +148,7 @@ OVER_AT_ONCE = "{over: {triggers: [{trigger: half_started}], actions: [{action: 
 def test_a_match_that_a_rule_ends_before_its_first_tick_was_played_and_has_no_page(tmp_path, monkeypatch, capsys, team):
     monkeypatch.setattr("webbrowser.open", lambda address: pytest.fail(f"{address} was opened"))
     (tmp_path / "over.yaml").write_text(
-        "schema_version: 1\nid: over\ntitle: Over\nextends: soccersim_v2\nrules: " + OVER_AT_ONCE, encoding="utf-8"
+        "schema_version: 2\nid: over\ntitle: Over\nextends: soccersim_v2\nrules: " + OVER_AT_ONCE, encoding="utf-8"
     )
     at_once = ["over.yaml" if one == "match" else one for one in short(team, "--quiet", "--open", *DUEL)]
     assert here(monkeypatch, tmp_path, *at_once) == 0

@@ -11,7 +11,7 @@ from rcj_challenges.cli.validate import validate
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a pipe without a reader is reported differently")
 
-SOUND = """schema_version: 1
+SOUND = """schema_version: 2
 id: sound
 title: Sound
 extends: match

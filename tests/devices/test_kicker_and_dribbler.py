@@ -8,7 +8,7 @@ from rcj_challenges.records.sensors import read_sensors
 from tests.match.playing import Place
 
 SCENARIO = """
-schema_version: 1
+schema_version: 2
 id: tools
 title: Tools
 extends: soccersim_v2

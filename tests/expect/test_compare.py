@@ -116,7 +116,7 @@ def test_a_list_of_ignored_events_replaces_the_default():
     assert [*event_differences(came("HIT"), [], ())] == ["superfluous: HIT at 0.32 s"]
 
 
-HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {halves: 2, half_s: 10}\n"
+HEAD = "schema_version: 2\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {halves: 2, half_s: 10}\n"
 GOAL = "rules: {goal: {triggers: [{trigger: enters, entity: ball, zone: blue_goal}], actions: [%s], says: A goal.}}\n"
 SCORES = "{at_s: 1, place: {ball: [0, 0.8]}}"
 
@@ -149,7 +149,7 @@ class TestExpectEnded:
 
 
 class TestExpectToleranceCounters:
-    COUNTS = "{action: count, counter: run_s, to: {word: time_s, fraction: true}}"
+    COUNTS = "{action: count, counter: run_s, to: {word: time_s}}"
     KEPT = "counters: {run_s: {}}\n"
 
     @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load_text
 from tests.scenario.writing import complaints
 
-RACE = """schema_version: 1
+RACE = """schema_version: 2
 id: race
 title: Race
 extends: soccersim_v2

@@ -8,7 +8,7 @@ from rcj_challenges.submissions.archive import TeamError
 from rcj_challenges.submissions.team import open_team
 from rcj_challenges.views.sheet import sheet_markdown
 
-DUEL = """schema_version: 1
+DUEL = """schema_version: 2
 id: duel
 title: Duel
 extends: soccersim_v2

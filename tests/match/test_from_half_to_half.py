@@ -9,7 +9,7 @@ from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Run
 
 # Without robots no program is started.
-HALVES = """schema_version: 1
+HALVES = """schema_version: 2
 id: halves
 title: Halves
 extends: soccersim_v2

@@ -12,7 +12,7 @@ from rcj_challenges.core.timing import ticks_from_s
 from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import alone
 
-COUNTDOWN = """schema_version: 1
+COUNTDOWN = """schema_version: 2
 id: countdown
 title: Countdown
 extends: soccersim_v2

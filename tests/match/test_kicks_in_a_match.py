@@ -4,7 +4,7 @@ import pytest
 
 from tests.judging_again import judged_again, reflog_of
 
-SHOTS = """schema_version: 1
+SHOTS = """schema_version: 2
 id: shots
 title: Shots
 extends: match

@@ -17,7 +17,7 @@ from rcj_challenges.world import contact
 from tests.match.playing import Place
 
 TEXT = """
-schema_version: 1
+schema_version: 2
 id: kits
 title: Kits
 extends: match

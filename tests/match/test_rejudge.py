@@ -15,7 +15,7 @@ from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load, load_resolved
 
 GOAL_AFTER_A_SECOND = """\
-schema_version: 1
+schema_version: 2
 id: gift
 title: A gift
 extends: match

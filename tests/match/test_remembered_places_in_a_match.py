@@ -5,7 +5,7 @@ import pytest
 
 from tests.judging_again import judged_again, reflog_of
 
-SHOT = """schema_version: 1
+SHOT = """schema_version: 2
 id: shot
 title: Shot
 extends: match

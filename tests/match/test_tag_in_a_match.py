@@ -6,7 +6,7 @@ from rcj_challenges.records.referee_log import read_referee_log
 from tests.judging_again import judged_again, reflog_of
 from tests.match.programs import AHEAD, STAND
 
-TAG = """schema_version: 1
+TAG = """schema_version: 2
 id: tag
 title: Tag
 extends: soccersim_v2

@@ -5,7 +5,7 @@ import pytest
 from tests.judging_again import judged_again, reflog_of
 from tests.match.programs import STAND
 
-TREASURE = """schema_version: 1
+TREASURE = """schema_version: 2
 id: treasure
 title: Treasure
 extends: soccersim_v2

@@ -9,7 +9,7 @@ from rcj_challenges.scenario.load import load_resolved, load_text
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES
 from rcj_challenges.scenario.tree import MAX_ITEMS, MAX_KEYS, MAX_VALUES
 
-HEAD = "schema_version: 1\nid: large\ntitle: Large\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: large\ntitle: Large\nextends: soccersim_v2\n"
 BOUNDS = {"archive.too_many", "archive.too_deep", "archive.too_many_folders", "sources.large", "sources.unread"}
 
 
@@ -60,7 +60,7 @@ def test_one_more_than_a_bound_of_scenarios_has_a_code(text: str) -> None:
 
 def test_bounds_hold_for_a_scenario_with_its_bases_together(tmp_path, capsys) -> None:
     (tmp_path / "base.yaml").write_text(HEAD + counters(MAX_KEYS), encoding="utf-8")
-    more = "schema_version: 1\nid: more\ntitle: More\nextends: base.yaml\ncounters: {one_more: {}}\n"
+    more = "schema_version: 2\nid: more\ntitle: More\nextends: base.yaml\ncounters: {one_more: {}}\n"
     (tmp_path / "more.yaml").write_text(more, encoding="utf-8")
     assert validate([str(tmp_path / "base.yaml")]) == 0
     assert validate([str(tmp_path / "more.yaml")]) == 2

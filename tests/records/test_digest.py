@@ -11,7 +11,7 @@ from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from tests.made_up_runs import small_scenario, write_made_up_run
 
-HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: it\ntitle: It\nextends: soccersim_v2\n"
 RULE = "{triggers: [{trigger: half_started}], actions: [{action: emit, event: %s}]}"
 PROGRAMS = {"blue": "00", "yellow": "11"}
 

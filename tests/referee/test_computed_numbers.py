@@ -7,7 +7,7 @@ from rcj_challenges.scenario.load import load_text
 from tests.referee.building import kick, kicking, touch
 
 TO_THE_RIGHT = "{towards: {point: [0.4, 0]}, speed_mps: %s}"
-HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: it\ntitle: It\nextends: soccersim_v2\n"
 
 
 def speed(play) -> float:

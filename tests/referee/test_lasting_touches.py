@@ -64,7 +64,7 @@ rules:
 
 class TestTouchInATest:
     FILE = """
-schema_version: 1
+schema_version: 2
 id: it
 title: It
 extends: soccersim_v2

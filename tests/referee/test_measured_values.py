@@ -6,7 +6,7 @@ from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import load_text
 from tests.referee.building import TAKEN_OFF, emitting, fail, on_fault, once, paid, payload, scoring, touch
 
-HEAD = "schema_version: 1\nid: small\ntitle: Small\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
+HEAD = "schema_version: 2\nid: small\ntitle: Small\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
 
 
 class TestValueDistance:

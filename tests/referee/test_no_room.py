@@ -124,7 +124,7 @@ def test_to_look_for_the_reason_takes_nothing_from_chance(stage, monkeypatch):
     assert one == placed(stage(NARROW, put("uniform_in: strip", ", facing: {random: true}")))
 
 
-FILE = """schema_version: 1
+FILE = """schema_version: 2
 id: it
 title: It
 extends: soccersim_v2

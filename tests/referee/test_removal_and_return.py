@@ -37,7 +37,7 @@ def test_what_one_of_several_holds_goes_on_while_another_is_put_elsewhere(stage)
 
 
 STOPPED_CLOCK = """
-schema_version: 1
+schema_version: 2
 id: it
 title: It
 extends: soccersim_v2

@@ -84,7 +84,7 @@ def test_file_in_another_encoding_is_refused_at_its_byte(errors_of):
 
 def test_error_is_printed_with_code_place_and_help(tmp_path):
     path = tmp_path / "a.yaml"
-    path.write_text("schema_version: 1\nid: a\ntitle: A\nextends: soccersim_v2\nmatch: {halvs: 2}\n", encoding="utf-8")
+    path.write_text("schema_version: 2\nid: a\ntitle: A\nextends: soccersim_v2\nmatch: {halvs: 2}\n", encoding="utf-8")
     with pytest.raises(ScenarioError) as caught:
         load(path)
     code, place, help_ = str(caught.value).splitlines()

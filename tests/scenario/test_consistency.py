@@ -7,7 +7,7 @@ from tests.scenario.writing import complaints, errors, loaded, rule
 
 
 def condition(text):
-    return rule(rest=f"    conditions: [{{condition: {text}}}]\n")
+    return rule(rest=f"    conditions: [{{{text}}}]\n")
 
 
 def expectation(text):
@@ -16,16 +16,16 @@ def expectation(text):
 
 GOOD = [
     rule(action="{action: place, entity: ball, at: start}"),
-    condition("speed, entity: ball, at_least: 0"),
-    condition("speed, entity: ball, at_least: 0.1, at_most: 0.1"),
-    condition("counter, counter: blue, equals: 3"),
-    "timers: {t: {lasts_s: 1}}\n" + condition("timer, timer: t"),
+    condition("speed: ball, at_least: 0"),
+    condition("speed: ball, at_least: 0.1, at_most: 0.1"),
+    condition("score: blue, equals: 3"),
+    "timers: {t: {lasts_s: 1}}\n" + condition("timer: t"),
     rule("{trigger: time_reached, at_s: 600}"),
-    rule("{trigger: holds, condition: {condition: speed, entity: ball, at_most: 1}, for_s: 0, grace_s: 0.032}"),
+    rule("{trigger: holds, conditions: [{speed: ball, at_most: 1}], for_s: 0, grace_s: 0.032}"),
     "draws: {d: {values: [1, 2], not_last: true}}\n",
     "draws: {d: {values: [1, true], not_last: true}}\n",
     "draws: {d: {values: [1, 1, 2], not_last: true, not_again: half}}\n",
-    condition("half, at_least: 1, at_most: 1"),
+    condition("word: halftime, at_least: 1, at_most: 1"),
     expectation("keyframes: [{at_s: 0}, {at_s: 3}], events: [{event: E, at_s: 3}]"),
     "sequences: {s: {per: robots, steps: [pitch, blue_goal]}}\n",
     "robots: {B1: {without: [gps], devices: {lidar: {device: lidar}}}}\n",
@@ -48,18 +48,18 @@ BAD = [
      "conflicting-keys rules.r.actions[0] (place)"),
     ("counters: {c: {}}\n" + rule(action="{action: count, counter: c, by: 1, to: 1}"),
      "conflicting-keys rules.r.actions[0] (count)"),
-    (condition("distance, entity: ball, to: B1"), "missing-key rules.r.conditions[0] (distance)"),
-    (condition("counter, counter: blue"), "missing-key rules.r.conditions[0] (score)"),
-    (rule("{trigger: holds, condition: {condition: speed, entity: ball}}"),
+    (condition("distance: [ball, B1]"), "missing-key rules.r.conditions[0] (distance)"),
+    (condition("score: blue"), "missing-key rules.r.conditions[0] (score)"),
+    (rule("{trigger: holds, conditions: [{speed: ball}]}"),
      "missing-key rules.r.triggers[0] (holds).conditions[0] (speed)"),
-    (condition("half"), "missing-key rules.r.conditions[0] (word)"),
-    (condition("half, at_least: 2, at_most: 1"), "empty-range rules.r.conditions[0] (word)"),
+    (condition("word: halftime"), "missing-key rules.r.conditions[0] (word)"),
+    (condition("word: halftime, at_least: 2, at_most: 1"), "empty-range rules.r.conditions[0] (word)"),
     ("draws: {d: {values: [1, 1], not_again: half}}\n", "conflicting-keys draws.d.not_again"),
-    (condition("speed, entity: ball, equals: 1, at_least: 1"), "conflicting-keys rules.r.conditions[0] (speed)"),
-    (condition("speed, entity: ball, at_least: 2, at_most: 1"), "empty-range rules.r.conditions[0] (speed)"),
-    (condition("spot_free, spot: neutral_spots, of: {at_least: 8}"), "never-holds rules.r.conditions[0] (spot_free)"),
-    (condition("in_zone, entity: [blue, B1], zone: pitch, of: {at_least: 4}"), "never-holds rules.r.conditions[0] (entity)"),
-    ("flags: {f: {per: robots}}\n" + condition("flag, flag: f, entity: yellow, of: {at_least: 4}"),
+    (condition("speed: ball, equals: 1, at_least: 1"), "conflicting-keys rules.r.conditions[0] (speed)"),
+    (condition("speed: ball, at_least: 2, at_most: 1"), "empty-range rules.r.conditions[0] (speed)"),
+    (condition("spot_free: neutral_spots, of: {at_least: 8}"), "never-holds rules.r.conditions[0] (spot_free)"),
+    (condition("entity: [blue, B1], in: pitch, of: {at_least: 4}"), "never-holds rules.r.conditions[0] (entity)"),
+    ("flags: {f: {per: robots}}\n" + condition("flag: f, entity: yellow, of: {at_least: 4}"),
      "never-holds rules.r.conditions[0] (flag)"),
     ("sequences: {s: {steps: [pitch, blue_goal]}}\n",
      "missing-key sequences.s"),

@@ -13,7 +13,7 @@ from rcj_challenges.scenario.load import load_text
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 GUIDELINES = """
-schema_version: 1
+schema_version: 2
 id: workshop
 title: Workshop
 extends: soccersim_v2

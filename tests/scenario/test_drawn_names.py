@@ -19,7 +19,7 @@ def said(body):
 
 def asked(condition, for_each="", trigger="{trigger: half_started}"):
     more = f"    for_each: {for_each}\n" if for_each else ""
-    return said(rule(trigger, rest=f"    conditions: [{{condition: {condition}}}]\n{more}"))
+    return said(rule(trigger, rest=f"    conditions: [{{{condition}}}]\n{more}"))
 
 
 def done(action, for_each="", trigger="{trigger: half_started}"):
@@ -27,15 +27,15 @@ def done(action, for_each="", trigger="{trigger: half_started}"):
 
 
 GOOD = [
-    (asked, "drawn, draw: catcher, equals: each", "robots"),
-    (asked, "drawn, draw: catcher, equals: each, negate: true", "yellow"),
-    (asked, "drawn, draw: poisoned, equals: other", "", TOUCH),
-    (asked, "any_of, conditions: [{condition: drawn, draw: catcher, equals: each}]", "blue"),
+    (asked, "draw: catcher, equals: each", "robots"),
+    (asked, "draw: catcher, equals: each, negate: true", "yellow"),
+    (asked, "draw: poisoned, equals: other", "", TOUCH),
+    (asked, "any_of: [{draw: catcher, equals: each}]", "blue"),
     (done, "draw, draw: poisoned, as: other", "", TOUCH),
     (done, "draw, draw: poisoned, as: each", "balls"),
     # Where the rule has no such name, a value may be called so, as before there were names.
-    (asked, "drawn, draw: odd, equals: other"),
-    (asked, "drawn, draw: odd, equals: each", "", TOUCH),
+    (asked, "draw: odd, equals: other"),
+    (asked, "draw: odd, equals: each", "", TOUCH),
     (done, "draw, draw: odd, as: other", "robots"),
 ]
 
@@ -47,9 +47,9 @@ def test_a_rule_asks_whether_its_own_one_is_drawn(case):
 
 
 BAD = [
-    (asked, "drawn, draw: catcher, equals: each", "", "{trigger: half_started}", "unbound-name"),
-    (asked, "drawn, draw: poisoned, equals: other", "robots", "{trigger: half_started}", "unbound-name"),
-    (asked, "drawn, draw: catcher, equals: each", "balls", "{trigger: half_started}", "never-drawn"),
+    (asked, "draw: catcher, equals: each", "", "{trigger: half_started}", "unbound-name"),
+    (asked, "draw: poisoned, equals: other", "robots", "{trigger: half_started}", "unbound-name"),
+    (asked, "draw: catcher, equals: each", "balls", "{trigger: half_started}", "never-drawn"),
     (done, "draw, draw: catcher, as: each", "robots", "{trigger: half_started}", "never-drawn"),
     (done, "draw, draw: catcher, as: other", "", TOUCH, "never-drawn"),
 ]

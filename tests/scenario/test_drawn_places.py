@@ -16,7 +16,7 @@ def kinds(body: str) -> list[str]:
 
 
 def conditioned(trigger: str, condition: str) -> str:
-    return HOT + rule(trigger, "{action: end}", f"    conditions: [{{condition: {condition}}}]\n    says: So.\n")
+    return HOT + rule(trigger, "{action: end}", f"    conditions: [{{{condition}}}]\n    says: So.\n")
 
 
 class TestReferences:
@@ -72,6 +72,6 @@ class TestLint:
         ]
 
     def test_distance_larger_than_the_field_is_reported_for_drawn_zones(self):
-        far = "distance, entity: ball, to: hot, at_least: %s"
+        far = "distance: [ball, hot], at_least: %s"
         assert "never-reached" in kinds(conditioned("{trigger: half_started}", far % 9))
         assert "never-reached" not in kinds(conditioned("{trigger: half_started}", far % 1))

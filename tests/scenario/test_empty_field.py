@@ -7,7 +7,7 @@ import pytest
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_text
 
-HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: %s\nmatch: {half_s: 60}\n"
+HEAD = "schema_version: 2\nid: it\ntitle: It\nextends: %s\nmatch: {half_s: 60}\n"
 
 
 @pytest.fixture(scope="module")

@@ -26,20 +26,20 @@ def complaint(path):
 
 @pytest.mark.parametrize("name", names_in(presets_folder()))
 def test_every_preset_is_strict_yaml_and_can_be_extended(name):
-    assert load_text(f"schema_version: 1\nid: x\ntitle: X\nextends: {name}\n").scenario.robots
+    assert load_text(f"schema_version: 2\nid: x\ntitle: X\nextends: {name}\n").scenario.robots
 
 
 def test_a_relative_path_is_read_beside_the_file_that_names_it(tmp_path):
     write(tmp_path / "deep" / "er", "base.yaml", "extends: ../../root.yaml\nmatch: {half_s: 5}\n")
     write(
-        tmp_path, "root.yaml", "schema_version: 1\nid: root\ntitle: Root\nextends: soccersim_v2\nmatch: {halves: 3}\n"
+        tmp_path, "root.yaml", "schema_version: 2\nid: root\ntitle: Root\nextends: soccersim_v2\nmatch: {halves: 3}\n"
     )
     found = load(write(tmp_path, "mine.yaml", "extends: deep/er/base.yaml\nid: mine\n")).scenario
     assert (found.id, found.title, found.match.halves, found.match.half_s) == ("mine", "Root", 3, 5)
 
 
 def test_five_bases_behind_each_other_are_allowed_and_six_are_not(tmp_path):
-    write(tmp_path, "b4.yaml", "schema_version: 1\nid: b\ntitle: B\nextends: soccersim_v2\n")
+    write(tmp_path, "b4.yaml", "schema_version: 2\nid: b\ntitle: B\nextends: soccersim_v2\n")
     for number in (3, 2, 1):
         write(tmp_path, f"b{number}.yaml", f"extends: b{number + 1}.yaml\n")
     five = write(tmp_path, "five.yaml", "extends: b1.yaml\n")
@@ -83,7 +83,7 @@ def test_a_name_longer_than_any_file_has_is_refused_as_any_other(tmp_path, name)
 
 
 def test_a_shipped_scenario_is_extended_by_its_name_as_a_preset_is():
-    loaded = load_text("schema_version: 1\nid: mine\ntitle: Mine\nextends: fast_shooter\nmatch: {half_s: 60}\n")
+    loaded = load_text("schema_version: 2\nid: mine\ntitle: Mine\nextends: fast_shooter\nmatch: {half_s: 60}\n")
     assert list(loaded.scenario.robots) == ["Y3"]
     assert loaded.scenario.match.half_s == 60
     assert [path.stem for path in loaded.bases] == ["fast_shooter"]
@@ -117,20 +117,20 @@ def test_bare_names_find_shipped_scenarios_and_files_come_first(tmp_path, monkey
     assert load("match").path == scenarios_folder() / "match.yaml"
     assert load("match").name == "match"
     monkeypatch.chdir(tmp_path)
-    write(tmp_path, "match", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    write(tmp_path, "match", "schema_version: 2\nid: own\ntitle: Own\nextends: soccersim_v2\n")
     assert load("match").scenario.id == "own"
 
 
 @pytest.mark.parametrize("path", sorted(scenarios_folder().rglob("*.yaml")), ids=lambda path: path.stem)
 def test_every_shipped_scenario_is_found_and_extended_by_its_bare_name(path, tmp_path):
     assert load(path.stem).path == path
-    own = f"schema_version: 1\nid: own\ntitle: Own\nextends: {path.stem}\nexpect: {{inherited: null}}\n"
+    own = f"schema_version: 2\nid: own\ntitle: Own\nextends: {path.stem}\nexpect: {{inherited: null}}\n"
     assert load(write(tmp_path, "own", own)).scenario.robots == load(path).scenario.robots
 
 
 def test_a_file_of_ones_own_is_not_passed_over_for_a_shipped_example_of_that_name(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    write(tmp_path, "slalom.yaml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    write(tmp_path, "slalom.yaml", "schema_version: 2\nid: own\ntitle: Own\nextends: soccersim_v2\n")
     with pytest.raises(ScenarioError, match=r"ambiguous-name(.|\n)*help: write slalom\.yaml for that"):
         load("slalom")
     assert load("slalom.yaml").scenario.id == "own"
@@ -150,26 +150,26 @@ def test_shipped_example_is_found_in_an_unreadable_folder(tmp_path, monkeypatch)
 
 @pytest.mark.parametrize("name", ["slalom", "fast_shooter_v2"])
 def test_a_file_of_ones_own_is_not_passed_over_by_extends_either(name, tmp_path):
-    write(tmp_path, f"{name}.yaml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
-    harder = "schema_version: 1\nid: harder\ntitle: Harder\nextends: %s\nexpect: {inherited: null}\n"
+    write(tmp_path, f"{name}.yaml", "schema_version: 2\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    harder = "schema_version: 2\nid: harder\ntitle: Harder\nextends: %s\nexpect: {inherited: null}\n"
     with pytest.raises(ScenarioError, match=rf"ambiguous-name(.|\n)*help: write {name}\.yaml"):
         load(write(tmp_path, "harder.yaml", harder % name))
     assert load(write(tmp_path, "harder.yaml", harder % f"{name}.yaml")).path == tmp_path / "harder.yaml"
 
 
 def test_a_file_of_ones_own_may_end_with_yml_too(tmp_path, monkeypatch):
-    write(tmp_path, "slalom.yml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    write(tmp_path, "slalom.yml", "schema_version: 2\nid: own\ntitle: Own\nextends: soccersim_v2\n")
     monkeypatch.chdir(tmp_path)
     with pytest.raises(ScenarioError, match=r"help: write slalom\.yml for that"):
         load("slalom")
     with pytest.raises(ScenarioError, match=r"help: write slalom\.yml for that"):
-        load(write(tmp_path, "harder.yaml", "schema_version: 1\nid: harder\ntitle: Harder\nextends: slalom\n"))
-    own = "schema_version: 1\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
+        load(write(tmp_path, "harder.yaml", "schema_version: 2\nid: harder\ntitle: Harder\nextends: slalom\n"))
+    own = "schema_version: 2\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
     assert load(write(tmp_path, "slalom.yml", own)).scenario.id == "own"
 
 
 def test_a_file_may_extend_the_shipped_one_of_its_own_name(tmp_path):
-    own = "schema_version: 1\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
+    own = "schema_version: 2\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
     assert load(write(tmp_path, "slalom.yaml", own)).scenario.id == "own"
 
 

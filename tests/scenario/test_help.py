@@ -12,16 +12,16 @@ def place(text):
 
 
 def condition(text):
-    return rule(rest=f"    conditions: [{{condition: {text}}}]\n")
+    return rule(rest=f"    conditions: [{{{text}}}]\n")
 
 
 HELP = [
     # A word of another list, of another language, or without its key.
     (rule("{trigger: speed, entity: Y1, at_least: 1}"), "{trigger: holds, conditions: [{speed: …}]}"),
-    (condition("touches, entity: Y1, other: ball"), "it stands in 'triggers'"),
+    (condition("condition: touches, entity: Y1, other: ball"), "it stands in 'triggers'"),
     (rule(action="{action: speed}"), "it stands in 'conditions'"),
     (rule("{trigger: goal}"), "{trigger: enters, entity: ball, zone: NAME}"),
-    (condition("inside, entity: ball, zone: pitch"), "{entity: NAME, in: ZONE}"),
+    (condition("inside: pitch"), "{entity: NAME, in: ZONE}"),
     (rule("enters"), "write {trigger: enters, …}"),
     (rule("{enters: {entity: ball, zone: blue_goal}}"), "write {trigger: enters, …}"),
     ("zones: {a: {type: circle, radius_m: 0.1}}\n", "write {shape: circle, …}"),
@@ -29,11 +29,11 @@ HELP = [
     ("rules: {r: {when: [], actions: [{action: end}]}}\n", "did you mean 'triggers'?"),
     ("match: {duration: 60}\n", "did you mean 'half_s'?"),
     (rule("{trigger: touches, robot: Y1, ball: ball}"), "did you mean 'entity'?"),
-    (condition("counter, counter: blue, more_than: 2"), "did you mean 'above'?"),
-    (condition("counter, counter: blue, greater: 2"), "did you mean 'above'?"),
-    (condition("counter, counter: blue, fewer_than: 2"), "did you mean 'below'?"),
-    (condition("counter, counter: blue, min: 2"), "did you mean 'at_least'?"),
-    (condition("counter, counter: blue, max: 2"), "did you mean 'at_most'?"),
+    (condition("score: blue, more_than: 2"), "did you mean 'above'?"),
+    (condition("score: blue, greater: 2"), "did you mean 'above'?"),
+    (condition("score: blue, fewer_than: 2"), "did you mean 'below'?"),
+    (condition("score: blue, min: 2"), "did you mean 'at_least'?"),
+    (condition("score: blue, max: 2"), "did you mean 'at_most'?"),
     (rule(action="{action: score, entrant: blue, points: {counter: blue, weight: 2}}"), "did you mean 'times'?"),
     # Values as YAML reads them.
     ("match: {half_s: '60'}\n", "leave the quotes out"),
@@ -68,7 +68,7 @@ MISLEADING = [
     # Of what is no list, or no list of mappings, nothing is said about lists.
     ("zones: {z: {shape: circle, radius_m: 0.1, centre_m: target}}\n", "a list"),
     (rule("{trigger: touches, entity: {draw: d}, other: ball}"), "brackets"),
-    (condition("counter, counter: blue, greater: 2"), "negate'?"),
+    (condition("score: blue, greater: 2"), "negate'?"),
 ]
 
 

@@ -11,7 +11,7 @@ from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load
 
-HEAD = "schema_version: 1\nid: mine\ntitle: Mine\n"
+HEAD = "schema_version: 2\nid: mine\ntitle: Mine\n"
 BASE = """\
 zones: {corner: {shape: rect, x_max_m: -0.5, y_max_m: -0.6}}
 rules:

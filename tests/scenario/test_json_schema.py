@@ -15,7 +15,7 @@ from rcj_challenges.scenario.tree import plain
 from tests.scenario.writing import HEAD as FIRST
 from tests.scenario.writing import rule
 
-HEAD = FIRST.replace("schema_version: 1", "schema_version: 2")
+HEAD = FIRST.replace("schema_version: 2", "schema_version: 2")
 
 SCHEMA = scenario_schema()
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)

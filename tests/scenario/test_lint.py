@@ -9,7 +9,7 @@ import pytest
 from rcj_challenges.scenario.lint.registry import LINT_RULES, lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 
-SOUND = """schema_version: 1
+SOUND = """schema_version: 2
 id: sound
 title: Sound
 extends: soccersim_v2
@@ -128,8 +128,8 @@ CASES = [
      ("counters: {n: {}}\nbroadcast: {fields: {n: {counter: n}}}", rule("a", "{trigger: half_started}", "{action: count, counter: n}"))),
     ("never-read", (EMPTY, rule("a", "{trigger: half_started}", "{action: set_spot, spot: mine, to: ball}") + "SPOT"),
      (EMPTY, rule("a", "{trigger: half_started}", "{action: set_spot, spot: mine, to: ball}, {action: place, entity: ball, at: {spot: mine}}") + "SPOT")),
-    ("never-written", ("flags: {f: {}}", rule("a", "{trigger: half_started}", more=", conditions: [{condition: flag, flag: f}]")),
-     ("flags: {f: {}}", rule("a", "{trigger: half_started}", "{action: set_flag, flag: f}", ", conditions: [{condition: flag, flag: f}]"))),
+    ("never-written", ("flags: {f: {}}", rule("a", "{trigger: half_started}", more=", conditions: [{flag: f}]")),
+     ("flags: {f: {}}", rule("a", "{trigger: half_started}", "{action: set_flag, flag: f}", ", conditions: [{flag: f}]"))),
     ("never-written", ("timers: {t: {lasts_s: 5}}", rule("a", "{trigger: timer_expired, timer: t}")),
      ("timers: {t: {lasts_s: 5, starts: true}}", rule("a", "{trigger: timer_expired, timer: t}"))),
     ("never-used", ("zones: {here: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}", EMPTY),
@@ -148,12 +148,12 @@ CASES = [
      ("robots: {Y1: {start: {x_m: -0.4, y_m: -0.3, yaw_rad: 1.57}}}", EMPTY)),
     ("never-reached", (EMPTY, rule("a", "{trigger: displaced, entity: ball, distance_m: 30}")),
      (EMPTY, rule("a", "{trigger: displaced, entity: ball, distance_m: 0.3}"))),
-    ("never-reached", (EMPTY, rule("a", "{trigger: holds, condition: {condition: speed, entity: Y1, at_least: 20}}")),
-     (EMPTY, rule("a", "{trigger: holds, condition: {condition: speed, entity: Y1, at_least: 0.2}}"))),
+    ("never-reached", (EMPTY, rule("a", "{trigger: holds, conditions: [{speed: Y1, at_least: 20}]}")),
+     (EMPTY, rule("a", "{trigger: holds, conditions: [{speed: Y1, at_least: 0.2}]}"))),
     ("never-reached", (EMPTY, rule("a", "{trigger: no_progress, entity: Y1, distance_m: 5, within_s: 10}")),
      (EMPTY, rule("a", "{trigger: no_progress, entity: Y1, distance_m: 0.5, within_s: 10}"))),
-    ("exact-measurement", (EMPTY, rule("a", "{trigger: half_started}", more=", conditions: [{condition: speed, entity: ball, equals: 0}]")),
-     (EMPTY, rule("a", "{trigger: half_started}", more=", conditions: [{condition: speed, entity: ball, at_most: 0.01}]" ))),
+    ("exact-measurement", (EMPTY, rule("a", "{trigger: half_started}", more=", conditions: [{speed: ball, equals: 0}]")),
+     (EMPTY, rule("a", "{trigger: half_started}", more=", conditions: [{speed: ball, at_most: 0.01}]" ))),
     ("unknown-placeholder", (EMPTY, TOLD.replace("It is so.", "'{entitty} is so.'")),
      ("params: {at_s: 2}", rule("a", "{trigger: time_reached, at_s: {param: at_s}}").replace("It is so.", "'{at_s} s.'"))),
     ("unknown-placeholder", ("description: 'After {at_s} s'", EMPTY),

@@ -54,7 +54,7 @@ entrants: {blue: null, yellow: {robots: {Y1: null, Y2: null}}}
         (KEYFRAME % "place: {Y1: [0, 0, 1.0e+308]}", "expect.it.keyframes[0].place.Y1[2]", "1000,"),
         (KEYFRAME % "move: {Y1: [-1.0e+308, 0]}", "expect.it.keyframes[0].move.Y1[0]", "-1000,"),
         (
-            rule("{trigger: holds, condition: {condition: held, entity: Y1}, for_s: 1.0e+308}"),
+            rule("{trigger: holds, conditions: [{entity: Y1, held: true}], for_s: 1.0e+308}"),
             "rules.r.triggers[0] (holds)",
             "86400",
         ),

@@ -80,7 +80,7 @@ class TestWhereItStands:
                 "{trigger: enters, entity: ball, zone: z}",
                 "{action: emit, event: E, payload: {a: {param: n, times: 2}, b: {param: w, times: 3}}}",
                 "    max_executions: {param: n, times: 0.5}\n"
-                "    conditions: [{condition: counter, counter: yellow, at_least: {param: n, plus: -1}}]\n",
+                "    conditions: [{score: yellow, at_least: {param: n, plus: -1}}]\n",
             )
         )
         assert found.zones["z"].points_m == ((-0.3, 0.0), (0.3, 0.0), (0.0, 0.4))

@@ -24,7 +24,7 @@ rules:
       yellow: {zone: blue_goal, others: [blue], worth: 2}
       blue: {zone: yellow_goal, others: [yellow, blue], worth: 3}
     triggers: [{trigger: enters, entity: ball, zone: {param: zone}}]
-    conditions: [{condition: in_zone, entity: {param: others}, zone: in_play}]
+    conditions: [{entity: {param: others}, in: in_play}]
     actions: [{action: score, entrant: {param: this}, points: {param: worth, times: 2, plus: 1}}]
     says: "{points} points for {this}: the ball is in the {zone}, and {others} {others} see it from {entity}."
   after:
@@ -38,12 +38,12 @@ rules:
     actions: [{action: emit, event: BEFORE}]
   goal_yellow:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{condition: in_zone, entity: [blue], zone: in_play}]
+    conditions: [{entity: [blue], in: in_play}]
     actions: [{action: score, entrant: yellow, points: 5}]
     says: "{points} points for yellow: the ball is in the blue goal, and blue blue see it from {entity}."
   goal_blue:
     triggers: [{trigger: enters, entity: ball, zone: yellow_goal}]
-    conditions: [{condition: in_zone, entity: [yellow, blue], zone: in_play}]
+    conditions: [{entity: [yellow, blue], in: in_play}]
     actions: [{action: score, entrant: blue, points: 7}]
     says: "{points} points for blue: the ball is in the yellow goal, and yellow and blue yellow and blue see it from {entity}."
   after:
@@ -153,7 +153,7 @@ class TestVariants:
 
         def variant(rest, overrides=()):
             path = tmp_path / "variant.yaml"
-            path.write_text("schema_version: 1\nid: b\ntitle: B\nextends: base.yaml\n" + rest, encoding="utf-8")
+            path.write_text("schema_version: 2\nid: b\ntitle: B\nextends: base.yaml\n" + rest, encoding="utf-8")
             return load(path, overrides).scenario.rules
 
         return variant

@@ -6,7 +6,7 @@ from rcj_challenges.scenario.kits import referee_listens, robots_with_emitter
 from rcj_challenges.scenario.load import load, load_text
 from tests.scenario.writing import complaints
 
-HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
+HEAD = "schema_version: 2\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
 RULE = "rules: {r: {triggers: [{trigger: tells, %s}], actions: [{action: emit, event: E}], says: Told.}}\n"
 
 

@@ -23,16 +23,16 @@ def refers(action="{action: end}", condition="", touched="robots", trigger="", f
 @pytest.mark.parametrize(
     "condition",
     [
-        "in_zone, entity: other, zone: pitch", "in_zone, entity: [each, other], zone: pitch, of: all",
-        "distance, entity: each, to: other, at_most: 1", "speed, entity: other, at_least: 0.1",
-        "looks, entity: other, towards: each", "looks, entity: each, towards: other",
-        "counter, counter: pushes, entity: other, at_least: 1", "timer, timer: own, entity: other",
-        "last_touch, by: other", "last_touch, entity: other, by: each",
+        "entity: other, in: pitch", "entity: [each, other], in: pitch, of: all",
+        "distance: [each, other], at_most: 1", "speed: other, at_least: 0.1",
+        "entity: other, looks: each", "entity: each, looks: other",
+        "counter: pushes, entity: other, at_least: 1", "timer: own, entity: other",
+        "last_touch: ball, equals: other", "last_touch: other, equals: each",
     ],
 )  # fmt: skip
 def test_a_condition_can_ask_about_it(condition):
-    assert refers(condition=f"{{condition: {condition}}}") == []
-    assert refers(condition=f"{{condition: any_of, conditions: [{{condition: {condition}}}]}}") == []
+    assert refers(condition=f"{{{condition}}}") == []
+    assert refers(condition=f"{{any_of: [{{{condition}}}]}}") == []
 
 
 @pytest.mark.parametrize(
@@ -85,7 +85,7 @@ def test_other_is_never_the_entity_that_touches():
 
 def test_a_rule_with_another_trigger_does_not_know_it():
     for part in ({"action": "{action: remove, entity: other}"}, {"action": "{action: score, entrant: other}"},
-                 {"condition": "{condition: in_zone, entity: other, zone: pitch}"}):  # fmt: skip
+                 {"condition": "{entity: other, in: pitch}"}):  # fmt: skip
         assert refers(**part) == []
         assert refers(trigger=", {trigger: half_started}", **part) == ["unbound-name"]
 

@@ -14,7 +14,7 @@ def write(folder, name, text):
     return str(folder / name)
 
 
-GOOD = "schema_version: 1\nid: a\ntitle: Ätsch\nextends: soccersim_v2\n"
+GOOD = "schema_version: 2\nid: a\ntitle: Ätsch\nextends: soccersim_v2\n"
 
 
 def test_files_in_order_give_a_line_each_and_exit_0(capsys):

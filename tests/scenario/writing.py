@@ -8,7 +8,7 @@ from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
 
-HEAD = "schema_version: 1\nid: a\ntitle: A\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: a\ntitle: A\nextends: soccersim_v2\n"
 HEAD_LINES = HEAD.count("\n")
 SUGGESTED = re.compile(r"did you mean '([^']+)'")
 

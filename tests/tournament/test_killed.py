@@ -17,7 +17,7 @@ from tests.tournament.store_helpers import Home
 
 # One robot each, and one second: what is tested is what surrounds the matches.
 DUEL = """
-schema_version: 1
+schema_version: 2
 id: duel
 title: Duel
 extends: match

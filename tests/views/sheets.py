@@ -3,7 +3,7 @@
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.sheet import sheet_markdown
 
-HEAD = "schema_version: 1\nid: small\ntitle: Small\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: small\ntitle: Small\nextends: soccersim_v2\n"
 
 
 def sheet(text: str, preset: str = "soccersim_v2") -> str:

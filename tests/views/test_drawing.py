@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SCENARIOS = sorted((ROOT / "scenarios").rglob("*.yaml"))
 PX_PER_M, MARGIN_M = 290, 50 / 290
 LEFT_M, TOP_M = -0.65 - MARGIN_M, 0.85 + MARGIN_M  # of the paper: half the field and the goal's depth
-HEAD = "schema_version: 1\nid: seen\ntitle: Seen\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: seen\ntitle: Seen\nextends: soccersim_v2\n"
 NO_GOALS = (
     "field: {goals: {blue_goal: null, yellow_goal: null}}\nzones: {blue_goal: null, yellow_goal: null}\n"
     "groups: {in_play: null}\n"

@@ -9,7 +9,7 @@ from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.placement_areas import placement_areas
 
 HEAD = (
-    "schema_version: 1\nid: shots\ntitle: Shots\nextends: soccersim_v2\nflags: {away: {}}\n"
+    "schema_version: 2\nid: shots\ntitle: Shots\nextends: soccersim_v2\nflags: {away: {}}\n"
     "spots: {left: {x_m: -0.3, y_m: 0.05}, right: {x_m: 0.3, y_m: 0.05}}\n"
     "groups: {both: [left, right]}\n"
 )
@@ -141,7 +141,7 @@ rules:
 
 
 def test_layout_is_mirrored_by_its_own_mirror_and_that_of_the_action():
-    one = load_text("schema_version: 1\nid: mirrored\ntitle: Mirrored\nextends: soccersim_v2\n" + MIRRORED_LAYOUT)
+    one = load_text("schema_version: 2\nid: mirrored\ntitle: Mirrored\nextends: soccersim_v2\n" + MIRRORED_LAYOUT)
     found = {}
     for area, names in placement_areas(one.scenario, one.roster).items():
         found.setdefault(names[0], set()).add(area.words())

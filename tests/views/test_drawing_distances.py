@@ -7,7 +7,7 @@ import pytest
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing import draw_scenario
 
-SMALL = """schema_version: 1
+SMALL = """schema_version: 2
 id: small
 title: Small
 extends: soccersim_v2

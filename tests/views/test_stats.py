@@ -53,7 +53,7 @@ def rolling(ticks: int, touched_at: int, start: tuple[float, float], velocity: t
 
 def test_a_field_without_goals_has_no_attacked_ends() -> None:
     # The robots of empty_field start in halves of their own, and no rule says what a ball at an end is worth.
-    text = "schema_version: 1\nid: it\ntitle: It\nextends: %s\nmatch: {half_s: 60}\n"
+    text = "schema_version: 2\nid: it\ntitle: It\nextends: %s\nmatch: {half_s: 60}\n"
     ends = {}
     for base in ("empty_field", "soccersim_v2"):
         loaded = load_text(text % base)
@@ -83,14 +83,14 @@ def test_a_seat_attacks_the_end_where_the_rules_give_it_points(name: str, ends: 
 )
 def test_a_rule_over_goals_or_balls_gives_points_at_the_ends_of_all_its_goals(each: str, trigger: str) -> None:
     loaded = load_text(
-        "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\ngroups: {goals: [blue_goal, yellow_goal]}\n"
+        "schema_version: 2\nid: it\ntitle: It\nextends: soccersim_v2\ngroups: {goals: [blue_goal, yellow_goal]}\n"
         f"rules: {{goal: {{for_each: {each}, triggers: [{{trigger: enters, {trigger}}}], "
         "actions: [{action: score, entrant: yellow}]}}\n"
     )
     assert attacked_ends(loaded.scenario, loaded.roster)["yellow"] == BOTH
 
 
-GOAL_RULES = """schema_version: 1
+GOAL_RULES = """schema_version: 2
 id: goals
 title: Goals
 extends: soccersim_v2

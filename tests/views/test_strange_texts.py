@@ -16,7 +16,7 @@ from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 
 STRANGE = r"\e[2J \e]0;title\a \u009b31m \u202Eturned \u2066x \u200F"
 SCENARIO = f"""
-schema_version: 1
+schema_version: 2
 id: strange
 title: "Title {STRANGE}"
 description: "Description {STRANGE}\\nsecond line"

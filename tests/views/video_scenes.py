@@ -11,7 +11,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.video.camera import FOV_RAD, View, axes
 
-HEAD = "schema_version: 1\nid: lines\ntitle: Lines\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: lines\ntitle: Lines\nextends: soccersim_v2\n"
 NO_GOALS = (
     "field: {goals: {blue_goal: null, yellow_goal: null}}\ngroups: {in_play: null, penalty_areas: null}\n"
     "zones: {blue_goal: null, yellow_goal: null, blue_penalty_area: null, yellow_penalty_area: null%s}\n"
