@@ -207,6 +207,11 @@ def test_misspelt_event_names_the_nearest_one():
     assert "did you mean 'STARTED'?" in found.help
 
 
+def test_a_placeholder_of_a_scenario_without_params_has_a_help_too():
+    (found,) = [one for one in lint_of("description: 'After {at_s} s'", EMPTY) if one.code == "unknown-placeholder"]
+    assert "params" in found.help
+
+
 def test_rules_of_one_repeated_rule_are_reported_once():
     repeated = rule("goal_{param: this}", "{trigger: half_started}").replace("goal_{param: this}", "r")
     repeated = repeated.replace("It is so.", "'{oops}'").replace("}\n", ", repeat_for: [yellow, blue]}\n")

@@ -142,7 +142,8 @@ class UnknownPlaceholder(LintRule, code="unknown-placeholder"):
             for blank in placeholders_in(text):
                 # A description may hold braces of its own.
                 if blank not in known and (path[0] == "rules" or blank.strip().isidentifier()):
-                    yield self.at(path, blank=blank, known=choice_of(blank.strip(), known))
+                    nearest = choice_of(blank.strip(), known) or "define it under params, or leave the braces out"
+                    yield self.at(path, blank=blank, known=nearest)
 
 
 class PlaceholderNeverFilled(LintRule, code="placeholder-never-filled"):
