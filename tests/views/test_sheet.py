@@ -159,6 +159,11 @@ sequences: {{way: {{entity: ball, steps: [blue_goal, yellow_goal], wrong_step: b
     ]
 
 
+def test_a_counter_that_keeps_the_best_is_explained():
+    words = "The counter “best (s)” has no value when a half starts; of the values that it is given, the lowest counts."
+    assert words in sheet(f"counters: {{best_s: {{keeps: lowest}}}}\n{RULE}")
+
+
 def test_guidelines_are_listed_with_limits_and_prices():
     loaded = load("workshop")
     text = section(sheet_markdown(loaded.scenario, loaded.roster).replace("\\", ""), "Robots that teams design")

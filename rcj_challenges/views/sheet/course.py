@@ -66,13 +66,17 @@ def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) 
     """Return the first value of a counter or flag, if that is not 0 or unset in each half."""
     is_only_one = one.keep == "match" and phrases.scenario.match.halves == 1
     is_usual = not one.first and one.first is not None
-    if is_usual and (one.keep in (None, "half") or is_only_one):
+    keeps = one.keeps if isinstance(one, Counter) else None
+    if is_usual and not keeps and (one.keep in (None, "half") or is_only_one):
         return ""
-    initial = ("set" if one.first else "not set") if isinstance(one, Flag) else _number_words(one.first)
+    initial = "has no value" if one.first is None else f"is {number(one.first)}"
+    if isinstance(one, Flag):
+        initial = "is set" if one.first else "is not set"
     which = quoted_measure(name) if kind == "counter" else quoted(name)
     owners = phrases.owners(kind, name)
     of = f" of {phrases.each_of(owners)}" if owners else ""
-    return f"The {kind} {which}{of} is {initial} when {_begin_words(phrases, one.keep)}."
+    best = f"; of the values that it is given, the {keeps} counts" if keeps else ""
+    return f"The {kind} {which}{of} {initial} when {_begin_words(phrases, one.keep)}{best}."
 
 
 def _begin_words(phrases: Phrasebook, keep: str | None) -> str:
@@ -82,10 +86,6 @@ def _begin_words(phrases: Phrasebook, keep: str | None) -> str:
         return f"the match starts, and goes on from {half} to {half}"
     known = {"half": f"{half.a} starts", "match": "the match starts", "phase": "a phase begins"}
     return known.get(keep or "half", f"the phase {quoted(str(keep))} begins")
-
-
-def _number_words(value: float | None) -> str:
-    return "nothing" if value is None else number(value)
 
 
 def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
