@@ -187,7 +187,10 @@ def chosen(shape: Shape, node: Node) -> Shape:
         return tags(shape).get(tag_of(shape, node) or usual_tag(shape) or "")
     fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
     if isinstance(node, Entries) and len(fitting) > 1:
-        return max(fitting, key=lambda member: _similarity(bare(member).kind, node))
+        known = [sum(_weights(bare(member).kind).get(key, 0) for key in node.entries) for member in fitting]
+        fitting = [member for member, count in zip(fitting, known, strict=True) if count == max(known)]
+        # To look for misspelt keys takes long.
+        return fitting[0] if len(fitting) == 1 else max(fitting, key=lambda one: _misspelt_keys(bare(one).kind, node))
     return fitting[0] if fitting else None
 
 
@@ -198,11 +201,15 @@ def usual_tag(shape: Shape) -> str | None:
     return next((tag for tag, model in models.items() if model.model_fields[key].default == tag), None)
 
 
-def _similarity(model: type[BaseModel], node: Entries) -> float:
-    """Return the number of a mapping's keys that a model knows; a required one counts twice, a misspelt one half."""
+@cache
+def _weights(model: type[BaseModel]) -> dict[str, int]:
+    """Return how much each key of a mapping speaks for a model: a required one twice as much."""
+    return {info.alias or name: 1 + info.is_required() for name, info in model.model_fields.items()}
+
+
+def _misspelt_keys(model: type[BaseModel], node: Entries) -> int:
     known = fields(model)
-    required = {info.alias or name for name, info in model.model_fields.items() if info.is_required()}
-    return sum(1.0 + (key in required) if key in known else 0.5 * bool(nearest(key, known)) for key in node.entries)
+    return sum(key not in known and nearest(key, known) is not None for key in node.entries)
 
 
 def _fits(kind: Any, node: Node) -> bool:
