@@ -216,8 +216,9 @@ def _long_rule(part: str, entry: str) -> str:
 
 
 def _repeated_rules() -> str:
-    names = ", ".join(f"n{number}" for number in range(47))
-    return _section("rules", lambda n: f"{{repeat_for: [{names}], {_rule(n)[1:]}", 5)
+    rows = ", ".join(f"n{number}: {{}}" for number in range(47))
+    rules = _section("rules", lambda n: f"{{repeat_for: rows, {_rule(n)[1:]}", 5)
+    return f"{rules}tables: {{rows: {{{rows}}}}}\n"
 
 
 def checked(archive: bytes) -> list[str]:

@@ -37,7 +37,7 @@ UNKNOWN_BASE = Code("unknown-base", page="""
 Name a shipped one without folder and ending, and a file of yours by its path relative to the file that extends it.""")
 UNKNOWN_PARAM = Code("unknown-param", page="""
 {param: NAME} refers to a param that does not exist.
-Declare it under 'params'. In a rule with repeat_for, 'this' and the keys beside its names are params too.""")
+Declare it under 'params'. In an entry with repeat_for, 'this' and the columns of its table are params too.""")
 UNREADABLE_FILE = Code("unreadable-file", page="""
 The file exists but cannot be read.
 Check that it is a file, and that you have permission to read it.""")
@@ -55,8 +55,8 @@ WRONG_PARAM_USE = Code("wrong-param-use", page="""
 The value of a param cannot be computed.
 In {param: NAME, times: 2, plus: 1} the param, times and plus must all be numbers.""")
 WRONG_REPEAT = Code("wrong-repeat", page="""
-The value of 'repeat_for' is wrong.
-It must be a list of names, or a mapping of names that all have the same keys; each name makes one rule.""")
+The value of 'repeat_for' is wrong, or its table is.
+It must be the name of a table, or a list of tables; all rows of a table have the same columns.""")
 MISSING_KEY = Code("missing-key", page="""
 A required key is missing, or one of several keys of which one is required.
 The help says what it is for.""")

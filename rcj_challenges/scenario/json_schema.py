@@ -36,10 +36,23 @@ _PARAM = {
         "param": {"type": "string", "description": "a name of the section params"},
         "times": {"type": "number", "description": "the param times this number; left out: 1"},
         "plus": {"type": "number", "description": "and this number added; left out: 0"},
+        "of": {"const": "other", "description": "in a repeated entry: that of the other row of a table of two"},
     },
     "required": ["param"],
     "additionalProperties": False,
 }
+_REPEATED = {
+    "type": "object",
+    "description": "An entry that is copied for each row of a table, or of tables that are crossed.",
+    "properties": {
+        "repeat_for": {
+            "description": "a table, or a list of tables",
+            "anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}],
+        }
+    },
+    "required": ["repeat_for"],
+}
+_REPEATED_REF = {"$ref": "#/$defs/repeated"}
 _PARAM_REF = {"$ref": "#/$defs/param"}
 _NULL = {"type": "null", "description": "null removes this entry of the base"}
 _TYPES = {str: "string", int: "integer", float: "number", bool: "boolean"}
@@ -52,6 +65,7 @@ _SHARED: tuple[tuple[Shape, str], ...] = (
 
 _WITHOUT_PARAM = frozenset({"extends", "params"})
 """Sections that must be known before params are, or are the params themselves."""
+_NEVER_REPEATED = frozenset({"params", "tables", "groups"})
 
 
 def scenario_schema() -> _Json:
@@ -64,6 +78,14 @@ def scenario_schema() -> _Json:
     for section in _WITHOUT_PARAM:
         described = {"description": properties[section]["description"]}
         properties[section] = _without_param(writer.bare_schema(fields(Scenario)[section])) | described
+    fields_sent = writer.definitions["Broadcast"]["properties"]["fields"]
+    for section, schema in [("fields", fields_sent), *properties.items()]:
+        options = {} if section in _NEVER_REPEATED else schema.get("additionalProperties", {})
+        for option in options.get("anyOf", ()) if section == "placements" else ():
+            if "items" in option:
+                option["items"] = {"anyOf": [option["items"], _REPEATED_REF]}
+        if "anyOf" in options and section != "placements":
+            options["anyOf"].append(_REPEATED_REF)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "RCJ Challenges scenario",
@@ -71,7 +93,7 @@ def scenario_schema() -> _Json:
         "type": "object",
         "properties": properties,
         "additionalProperties": False,
-        "$defs": {"param": _PARAM, **dict(sorted(writer.definitions.items()))},
+        "$defs": {"param": _PARAM, "repeated": _REPEATED, **dict(sorted(writer.definitions.items()))},
     }
 
 

@@ -26,7 +26,7 @@ from rcj_challenges.scenario.reading.find import find_scenario
 from rcj_challenges.scenario.reading.inherited_tests import TESTS, unfit_tests
 from rcj_challenges.scenario.reading.merge import Merger, Repeated
 from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params
-from rcj_challenges.scenario.reading.repeated_rules import merged, repeat_rules
+from rcj_challenges.scenario.reading.repeating import merged, repeat_entries
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import RESOLVED, Entries, Mark, Step, check_size, plain
@@ -41,12 +41,12 @@ class Loaded:
         path: the file it came from; None if it came from a record or a text.
         resolved: the whole scenario as JSON-able data with all defaults filled in, base files merged, params and
             overrides applied; `load_resolved` reads it again. Records keep it.
-        unresolved: the same before rules are repeated and params take their places, without tests. Records keep it for
-            `load_recorded`.
+        unresolved: the same before entries are repeated and params take their places, without tests. Records keep it
+            for `load_recorded`.
         written: the merged tree with the place of each value in its file, for lint; None if there is no such place.
         bases: the files that it extends, the nearest first; presets are not among them.
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
-        repeated: where each rule comes from that is one of a repeated one, for lint.
+        repeated: where each copy of a repeated entry comes from, by section and name, for lint.
         overridden: the entries of sections that a base has too, by section and name, for lint.
     """
 
@@ -59,7 +59,7 @@ class Loaded:
     written: Entries | None = field(default=None, repr=False, compare=False)
     bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
     left_out: Mapping[str, Diagnostic] = field(default_factory=dict, repr=False, compare=False)
-    repeated: Mapping[str, Repeated] = field(default_factory=dict, repr=False, compare=False)
+    repeated: Mapping[tuple[str, str], Repeated] = field(default_factory=dict, repr=False, compare=False)
     overridden: AbstractSet[tuple[Step, ...]] = field(default=frozenset(), repr=False, compare=False)
 
 
@@ -103,7 +103,7 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequen
 def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], overrides: Sequence[str]) -> Loaded:
     """Load a recorded scenario with overrides, also of params.
 
-    Params are set first; paths then lead into the scenario as it was played, where repeated rules have their names.
+    Params are set first; paths then lead into the scenario as it was played, where repeated entries have their names.
     ``unresolved`` is empty for a record without it, in which no param can be set.
 
     Raises:
@@ -146,8 +146,8 @@ def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
 
 
 def _resolve(tree: Entries, merger: Merger) -> None:
-    """Work in what stands in a merged tree for something else: repeated rules, params, devices of kits."""
-    repeat_rules(tree, merger)
+    """Work in what stands in a merged tree for something else: repeated entries, params, devices of kits."""
+    repeat_entries(tree, merger)
     resolve_params(tree, merger)
     fill_in_devices(tree)
 

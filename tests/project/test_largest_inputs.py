@@ -68,10 +68,11 @@ def test_bounds_hold_for_a_scenario_with_its_bases_together(tmp_path, capsys) ->
 
 
 def test_bounds_hold_for_repeated_rules_and_for_scenarios_of_records() -> None:
-    names = ", ".join(f"n{number}" for number in range(50))
-    rule = f"{{repeat_for: [{names}], triggers: [{{trigger: half_started}}], actions: [{{action: end}}]}}"
+    rows = ", ".join(f"n{number}: {{}}" for number in range(50))
+    tables = f"tables: {{t: {{{rows}}}}}\n"
+    rule = "{repeat_for: t, triggers: [{trigger: half_started}], actions: [{action: end}]}"
     with pytest.raises(ScenarioError, match="scenario-too-large"):
-        load_text(HEAD + "rules:\n" + "".join(f"  r{number}: {rule}\n" for number in range(6)))
+        load_text(HEAD + tables + "rules:\n" + "".join(f"  r{number}: {rule}\n" for number in range(6)))
     resolved = load_text(HEAD).resolved
     with pytest.raises(ScenarioError, match="scenario-too-large"):
         load_resolved(resolved | {"counters": {f"c{number}": {} for number in range(MAX_KEYS + 1)}})

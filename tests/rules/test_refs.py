@@ -26,7 +26,6 @@ DEFINING = {
     *((scenario.Scenario, name) for name in scenario.Scenario.model_fields if name != "first_phase"),
     (robots.Robot, "colour"),
     (scenario.Rule, "exclusive"),
-    (scenario.Rule, "repeat_for"),
     (Emit, "payload"),
     (scenario.Broadcast, "fields"),
     (scenario.ExpectedEvent, "payload"),

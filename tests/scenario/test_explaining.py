@@ -54,7 +54,7 @@ CASES = [
     ("result: {rank: score}\n", "wrong-value result.rank"),
     ("zones: {1st: {shape: rect, x_min_m: 0}}\n", "wrong-name zones.1st"),
     ("rules: {r: {repeat_for: [blau, weiß], triggers: [{trigger: half_started}], actions: [{action: emit, event: GO, payload: {who: {param: this}}}]}}\n",
-     "wrong-repeat rules.r.repeat_for[1]"),
+     "wrong-name tables.r.weiß"),
     ("match: {half_s: 60, half: 30}\n", "unknown-key match -> halves"),
     ("zones: {pitch: {x_min: -0.5}}\n",
      "unknown-key zones.pitch -> x_min_m"),

@@ -214,7 +214,6 @@ REPEATED = {"triggers": [{"trigger": "half_started"}], "actions": [{"action": "e
 @pytest.mark.parametrize(
     ("repeated", "fits"),
     [
-        (["yellow", "blue"], True),
         ({"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}, True),
         ({"yellow": {"others": ["blue", "red"], "worth": {"param": "n"}, "fast": True, "home": [0, 0.5]}}, True),
         ({"yellow": {}}, True),
@@ -222,8 +221,19 @@ REPEATED = {"triggers": [{"trigger": "half_started"}], "actions": [{"action": "e
         ("yellow", False),
         ({"yellow": "blue_goal"}, False),
         ({"yellow": {"zone": {"of": "blue"}}}, False),
-        (["left-hand"], False),
+        ({"left-hand": {}}, False),
     ],
 )
-def test_a_rule_may_be_repeated_for_names_or_for_names_with_values(repeated, fits):
-    assert accepts(WHOLE | {"rules": {"r": {"repeat_for": repeated, **REPEATED}}}) is fits
+def test_a_table_has_rows_with_values(repeated, fits):
+    assert accepts(WHOLE | {"tables": {"t": repeated}}) is fits
+
+
+@pytest.mark.parametrize(("tables", "fits"), [("t", True), (["t", "u"], True), ([], False), ({"yellow": {}}, False)])
+def test_entries_of_sections_are_repeated_for_tables(tables, fits):
+    assert accepts(WHOLE | {"rules": {"r": {"repeat_for": tables, **REPEATED}}}) is fits
+    assert (
+        accepts(WHOLE | {"spots": {"s": {"repeat_for": tables, "x_m": 0, "y_m": {"param": "y", "of": "other"}}}})
+        is fits
+    )
+    assert accepts(WHOLE | {"broadcast": {"fields": {"b": {"repeat_for": tables, "word": "phase"}}}}) is fits
+    assert accepts(WHOLE | {"placements": {"l": [{"repeat_for": tables, "entity": "ball", "at": "start"}]}}) is fits

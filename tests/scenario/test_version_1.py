@@ -128,6 +128,7 @@ def test_that_a_robot_is_held_was_a_value_of_its_own():
 @pytest.mark.parametrize(
     ("first", "second"),
     [
+        ("{action: count, counter: laps}", "{action: count, counter: laps, entity: robots}"),
         ("{action: toggle_flag, flag: seen}", "{action: set_flag, flag: seen, to: opposite, entity: robots}"),
         ("{action: sequence, sequence: s, do: reset}", "{action: reset, sequence: s, entity: yellow}"),
         ("{action: sequence, sequence: s, entity: each}", "{action: reset, sequence: s, entity: each}"),

@@ -203,10 +203,17 @@ def repeat(data: Any, chance: random.Random) -> None:
     if isinstance(rules, dict) and rules:
         rule = rules[chance.choice(list(rules))]
         if isinstance(rule, dict):
-            names = chance.choice(
-                (["yellow", "blue"], ["a"], [], ["x" * 64], {"yellow": {"v": "blue"}}, {"a": None}, "blue", [1])
+            rows = (
+                {"yellow": {}, "blue": {}},
+                {"x" * 64: {}},
+                {},
+                {"yellow": {"v": "blue"}},
+                {"a": None},
+                ["a"],
+                "blue",
             )
-            rule["repeat_for"] = names
+            data["tables"] = {"t": chance.choice(rows), "u": {"one": {"w": 1}, "two": {"w": 2}}}
+            rule["repeat_for"] = chance.choice(("t", "t", "t", ["t", "u"], ["t", "t"], "unknown", [], {"a": {}}))
             holder, key = chance.choice(_places(rule, []))
             holder[key] = {"param": chance.choice(("this", "v", "unknown"))}
 

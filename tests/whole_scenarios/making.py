@@ -272,7 +272,7 @@ class Maker:
             if self.chance.random() < 0.4:
                 rule["conditions"] = self._some(shapes["conditions"], "conditions")
             rule["actions"] = self._some(shapes["actions"], "actions", (1, 1, 2, 3))
-            rule |= self.model(Rule, without=("for_each", "repeat_for", "triggers", "conditions", "actions"))
+            rule |= self.model(Rule, without=("for_each", "triggers", "conditions", "actions"))
         finally:
             self.each = self.other = None
         return rule

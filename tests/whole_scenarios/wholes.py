@@ -281,9 +281,9 @@ def _repeat(data: Data, stage: Stage, chance: random.Random) -> None:
         kind = stage.kinds[value]
         rows = [one for one, its in stage.kinds.items() if its == kind][:3]
         node[key] = {"param": "this"}
-        rule["repeat_for"] = rows
+        table: Data = {row: {} for row in rows}
     else:
-        rule["repeat_for"] = {
-            row: {"v": value, "unused": point(chance)} if chance.random() < 0.2 else {"v": value} for row in rows
-        }
+        table = {row: {"v": value, "unused": point(chance)} if chance.random() < 0.2 else {"v": value} for row in rows}
         node[key] = {"param": "v"}
+    data["tables"] = {"rows": table}
+    rule["repeat_for"] = "rows"

@@ -8,7 +8,7 @@ from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint import flow, placing, state, values
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.scenario.reading.repeated_rules import merged
+from rcj_challenges.scenario.reading.repeating import merged
 
 LINT_RULES: tuple[LintRule, ...] = (
     flow.PhaseNeverEntered(),

@@ -79,6 +79,8 @@ class NeverUsed(LintRule, code="never-used"):
         for section, noun in self._NOUNS.items():
             for name, entry in getattr(ctx.scenario, section).items():
                 is_used = name in used[section] or bool(getattr(entry, "drawn", False))
+                # The group of all copies of an entry is written nowhere.
+                is_used |= section == "groups" and name not in ctx.loaded.unresolved.get("groups", {})
                 if not is_used and ctx.is_own((section, name)):
                     null = section != "params" and (section, name) in ctx.loaded.overridden
                     away = "name it in a rule, or remove what the base defines by '{name}: null'" if null else ""

@@ -136,7 +136,8 @@ class UnknownPlaceholder(LintRule, code="unknown-placeholder"):
         params = tuple(ctx.scenario.params)
         texts: list[tuple[Path, str, tuple[str, ...]]] = [(("description",), ctx.scenario.description, params)]
         for name, rule in ctx.scenario.rules.items():
-            repeated = ctx.loaded.repeated[name].known if name in ctx.loaded.repeated else ()
+            copy = ctx.loaded.repeated.get(("rules", name))
+            repeated = () if copy is None else copy.known
             texts.append((("rules", name, "says"), rule.says, (*PLACEHOLDERS, *repeated, *params)))
         for path, text, known in texts:
             for blank in placeholders_in(text):

@@ -29,8 +29,10 @@ MAX_ROWS = 64
 _E = TypeVar("_E", bound=Effect)
 _M = TypeVar("_M", bound=Moment)
 
-RowValues = Annotated[dict[Name, Scalar | tuple[Scalar, ...]], Field(max_length=MAX_ROWS)]
-"""What stands beside one of the names for which a rule is repeated."""
+RowValues = Annotated[
+    dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False)]], Field(max_length=MAX_ROWS)
+]
+"""The values of a row of a table by their columns."""
 
 _Times = Annotated[int, Field(ge=1)]
 
@@ -53,18 +55,6 @@ class Rule(Strict):
         None,
         "a group of entities, fixed obstacles, zones or gates, or a single one of these: the rule exists once "
         "for each member, and `each` refers to that member",
-    )
-    repeat_for: (
-        Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_ROWS)]
-        | Annotated[dict[Name, RowValues], Field(min_length=1, max_length=MAX_ROWS)]
-        | None
-    ) = Field(
-        None,
-        exclude=True,  # when a scenario has been loaded, the rules that came of it stand in its place
-        description="copies the rule for each name: with [yellow, blue], a rule named goal becomes goal_yellow and "
-        "goal_blue; in each copy, {param: this} is the name and {param: KEY} the value that the "
-        "name has for KEY",
-        examples=[["yellow", "blue"], {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}],
     )
     phases: Annotated[
         Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
@@ -391,6 +381,16 @@ class Scenario(Strict):
     )
     params: dict[Name, Scalar] = described(
         {}, "named values; use {param: NAME} anywhere, or {param: NAME, times: -1, plus: 0.1} to calculate with them"
+    )
+    tables: dict[Name, Annotated[dict[Name, RowValues], Field(min_length=1, max_length=MAX_ROWS)]] = Field(
+        {},
+        exclude=True,  # when a scenario has been loaded, what is repeated for their rows stands there
+        description="rows with values by column; repeat_for: NAME in an entry of a section, of broadcast.fields or of "
+        "a layout copies it for each row: with the rows yellow and blue, goal becomes goal_yellow and goal_blue, and "
+        "balls, zones, gates and spots also a group goal; in each copy, {param: this} is the row, {param: COLUMN} its "
+        "value, and {param: COLUMN, of: other} that of the other row of two; repeat_for: [A, B] copies it for each row "
+        "of A with each row of B, which {param: A} and {param: B} name",
+        examples=[{"teams": {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}}],
     )
     match: Match = described(Match.model_construct(), "number and length of the halves")
     field: FieldModel = described(FieldModel.model_construct(), "the field with its walls and goals")

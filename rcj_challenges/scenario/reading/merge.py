@@ -32,15 +32,17 @@ from rcj_challenges.scenario.shape import (
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
+REPEAT_FOR = "repeat_for"
+
 
 class Repeated(NamedTuple):
-    """Where a rule comes from that was written once and repeated.
+    """Where an entry comes from that was written once and repeated.
 
     Attributes:
         known: what is a param in it besides those of the scenario.
     """
 
-    rule: str
+    entry: str
     known: tuple[str, ...]
 
 
@@ -51,13 +53,13 @@ class Merger:
     Attributes:
         removed: where each entry was removed, by section and name path.
         overridden: the entries of sections that the base has too, by section and name.
-        repeated: where each rule comes from that is one of a repeated one.
+        repeated: where each entry comes from that is a copy of a repeated one, by section and name.
     """
 
     problems: list[Diagnostic] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
     overridden: set[Path] = field(default_factory=set)
-    repeated: dict[str, Repeated] = field(default_factory=dict)
+    repeated: dict[tuple[str, str], Repeated] = field(default_factory=dict)
 
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
         """Merge ``over`` into ``base`` (which changes) and return it."""
@@ -141,7 +143,7 @@ class Merger:
                 help_ = f"a device of the robot's kit is taken away by 'without: [{key}]'"
             if path[-1:] == ("poses",):
                 help_ = f"that something is off the field is expected by 'off: [{key}]'"
-            help_ = (of_repeated(key, base) if path == ("rules",) else "") or help_
+            help_ = (of_repeated(key, base) if len(path) == 1 else "") or help_
             self._add(WRONG_NULL, node.mark, here, f"nothing to remove: the base has no '{key}'", help_)
         else:
             base.drop(key)
@@ -151,16 +153,11 @@ class Merger:
         self.problems.append(mark.error(code, message, help_, in_names(Entries({}, mark), path)))
 
 
-def of_repeated(name: str, rules: Entries) -> str:
-    """Return the help for a change or removal of a rule that comes from a repeated one; empty if there is none."""
-    for rule, node in rules.entries.items():
-        rows = node.entries.get("repeat_for") if isinstance(node, Entries) else None
-        if not isinstance(rows, Entries | Items) or not name.startswith(f"{rule}_"):
-            continue
-        row = name.removeprefix(f"{rule}_")
-        listed = [one.value for one in rows.items if isinstance(one, Leaf)] if isinstance(rows, Items) else rows.entries
-        if row in listed:
-            return f"it comes from the repeated rule '{rule}': change that one, or '{row}' in its repeat_for"
+def of_repeated(name: str, section: Entries) -> str:
+    """Return the help for a change or removal of a copy of a repeated entry; empty if there is no such entry."""
+    for entry, node in section.entries.items():
+        if isinstance(node, Entries) and REPEAT_FOR in node.entries and name.startswith(f"{entry}_"):
+            return f"copies of '{entry}' are changed there, or in the table for which it is repeated"
     return ""
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Context
 from math import isfinite
 from typing import get_origin
@@ -36,7 +36,7 @@ from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path,
 
 THIS = "this"
 """What the name of a row is called within a repeated rule."""
-KEYS = ("param", "times", "plus")
+KEYS = ("param", "times", "plus", "of")
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _PATH = re.compile(r"[^.\[\]]+(\.[^.\[\]]+|\[\d+\])*")
 _EXACT = Context(prec=60)
@@ -115,7 +115,7 @@ def _set(root: Entries, steps: list[str], value: Node, mark: Mark, merger: Merge
             # A new name may bring a whole entry; a single value under a new name is a typing mistake.
             is_new_name = is_named(kind) and step not in above.entries and (not is_last or isinstance(value, Leaf))
             if is_new_name or (is_model(kind) and step not in fields(kind)):
-                repeated = of_repeated(step, above) if here == "rules" else ""
+                repeated = of_repeated(step, above) if len(path) == 2 else ""
                 known = fields(kind) if is_model(kind) else above.entries
                 raise _refused(f"{here or 'a scenario'} has no '{step}'", repeated or choice_of(step, known))
             if is_last:
@@ -152,13 +152,15 @@ class Resolver:
     """Resolves params in one part of a tree.
 
     Attributes:
-        row: what is known besides within a repeated rule: single values and lists of them; None elsewhere.
+        row: what is known besides within a repeated entry: single values and lists of them; None elsewhere.
+        other: the same of the other row of a table of two.
     """
 
     root: Entries
     params: Mapping[str, Node]
     problems: list[Diagnostic]
     row: Mapping[str, Leaf | Items] | None = None
+    other: Mapping[str, Leaf | Items] = field(default_factory=dict)
 
     def resolved(self, node: Node, shape: Shape, path: Path) -> Node:
         """Return a value with the params in it replaced by what they stand for; the value itself may change."""
@@ -186,10 +188,13 @@ class Resolver:
         """Return the value for which a use of a param stands; what is wrong with it is added to the problems."""
         mark, name = node.entries["param"].mark, _name(node)
         unknown = Leaf(None, mark, note="unknown param", param=name)
-        is_of_row = self.row is not None and name in self.row
-        value = self.row[name] if self.row is not None and is_of_row else self.params.get(name)
+        row = self.row if "of" not in node.entries else self._other(node, path)
+        if "of" in node.entries and name not in (row or ()):
+            return unknown
+        is_of_row = row is not None and name in row
+        value = row[name] if row is not None and is_of_row else self.params.get(name)
         if is_of_row and isinstance(value, Items):
-            if len(node.entries) > 1:
+            if not node.entries.keys() <= {"param", "of"}:
                 message = f"param '{name}' is {format_node(value)}"
                 self._add(WRONG_PARAM_USE, path, mark, message, "nothing can stand beside it")
                 return unknown
@@ -216,11 +221,20 @@ class Resolver:
                 return unknown
         return Leaf(number, mark, note=f"param '{name}'{formula}", param=value.param if is_of_row else name)
 
+    def _other(self, use: Entries, path: Path) -> Mapping[str, Leaf | Items]:
+        """Return what is known of the other row of a table of two; empty, and reported, if it has no such column."""
+        name, of = _name(use), use.entries["of"]
+        if name in self.other and isinstance(of, Leaf) and of.value == "other":
+            return self.other
+        help_ = "write of: other, with a column of a table of two rows for which the entry is repeated"
+        self._add(WRONG_PARAM_USE, path, of.mark, f"there is no other row with '{cut(name)}'", help_)
+        return {}
+
     def _factors(self, use: Entries, path: Path) -> dict[str, int | float] | None:
         """Return the numbers beside a param's name by their keys; None if something is wrong with them."""
         factors: dict[str, int | float] = {}
         for key, node in use.entries.items():
-            if key == "param":
+            if key in ("param", "of"):
                 continue
             number = node.value if isinstance(node, Leaf) else ""
             if key not in KEYS:
@@ -231,11 +245,15 @@ class Resolver:
                 self._add(WRONG_PARAM_USE, (*path, key), node.mark, expected(float, node), help_)
             elif number is not None:  # what is left empty, or is null, has been reported already
                 factors[key] = number
-        return {key: factors[key] for key in KEYS if key in factors} if len(factors) + 1 == len(use.entries) else None
+        return (
+            {key: factors[key] for key in KEYS if key in factors}
+            if len(factors) == len(use.entries.keys() - {"param", "of"})
+            else None
+        )
 
     def _hint(self, name: str) -> str:
         if name == THIS and self.row is None:
-            return "'this' can only be used in a rule with repeat_for"
+            return "'this' can only be used in an entry with repeat_for"
         known = [*(self.row or ()), *self.params]
         if word := next((word for word in _WORD.findall(name) if word in known and word != name), None):
             return f"a formula is written {{param: {word}, times: 2, plus: 1}}"

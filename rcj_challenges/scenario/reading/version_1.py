@@ -23,10 +23,31 @@ def to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> None:
     if version is not None:
         tree.put("schema_version", Leaf(2, version.mark), tree.key_marks["schema_version"])
     trees = (tree, *bases)
+    _make_tables(tree)
     for rule in _entries(tree.entries.get("rules")).values():
         _Rule(rule, trees).convert()
     for node in _mappings(tree):
         _convert_value(node, trees)
+
+
+def _make_tables(tree: Entries) -> None:
+    """A rule had the rows for which it was repeated in it: a list of names, or their values by name."""
+    for name, rule in _entries(tree.entries.get("rules")).items():
+        rows = _entries(rule).get("repeat_for")
+        names = [one.value for one in rows.items if isinstance(one, Leaf)] if isinstance(rows, Items) else []
+        if (
+            isinstance(rows, Items)
+            and len(set(names)) == len(rows.items)
+            and all(isinstance(one, str) for one in names)
+        ):
+            marks = {str(one.value): one.mark for one in rows.items if isinstance(one, Leaf)}
+            rows = Entries({one: Entries({}, mark) for one, mark in marks.items()}, rows.mark, marks)
+        if isinstance(rows, Entries) and "param" not in rows.entries and isinstance(rule, Entries):
+            tables, mark = tree.entries.get("tables") or Entries({}, rows.mark), rule.key_marks["repeat_for"]
+            if isinstance(tables, Entries):
+                tables.put(name, rows, mark)
+                tree.put("tables", tables, mark)
+                rule.put("repeat_for", Leaf(name, rows.mark), mark)
 
 
 def _convert_value(node: Entries, trees: Sequence[Entries]) -> None:
