@@ -102,7 +102,8 @@ class Stream:
             if body or abs(now_s - sent_s) >= _KEEP_ALIVE_S:
                 sent_s = now_s
                 message = {"type": "http.response.body", "body": body or _KEEP_ALIVE, "more_body": True}
-                await asyncio.wait_for(send(message), _STALLED_S)
+                async with asyncio.timeout(_STALLED_S):
+                    await send(message)
             if at == end and (await asyncio.wait({gone}, timeout=min(next_s - now_s, _KEEP_ALIVE_S)))[0]:
                 return
         await send({"type": "http.response.body", "body": b""})

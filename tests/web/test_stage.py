@@ -313,6 +313,11 @@ def test_page_shows_what_is_on_what_comes_and_the_goals_that_all_have_seen(
         assert len(re.findall(r"<strong>\d+ : \d+</strong>", seen[name])) == goals, name
         assert ("/replay#h1t" in seen[name]) == (name == "between"), name
     assert "iframe" not in seen["later"]
+    again_s = {name: int(re.findall(r'data-again-ms="(\d+)"', body)[0]) / 1000 for name, body in seen.items()}
+    assert again_s["before"] == (first.ends_at - first.begins_at).total_seconds() + 5 + 15
+    assert (again_s["on"], again_s["later"]) == (1 + 15, 60)
+    monkeypatch.setattr(timezone, "now", lambda: first.begins_at - timedelta(hours=1))
+    assert 'data-again-ms="60000"' in client.get("/live").content.decode()  # an organizer may choose another one
     monkeypatch.setattr(timezone, "now", lambda: first.begins_at)
     bare = client.get("/live?stage=1").content.decode()
     assert f'src="/live/{first.pk}/page?stage"' in bare

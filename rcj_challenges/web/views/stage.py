@@ -31,7 +31,7 @@ _HOUR = timedelta(hours=1)
 _SEEN_AFTER = timedelta(seconds=2)
 """A goal is in the list only when all spectators have seen it."""
 _AGAIN, _AFTER = timedelta(seconds=60), timedelta(seconds=15)
-"""When the page loads itself again: if nothing is planned, and after the end of a match."""
+"""When the page loads itself again: if nothing begins soon, and after the end of a match."""
 _POLICY = {**REPLAY_POLICY, "connect-src": ["'self'"], "frame-ancestors": ["'self'"]}
 
 
@@ -46,7 +46,7 @@ def live(request: HttpRequest) -> HttpResponse:
         "show": show, "is_on": show is not None and show.begins_at <= now, "coming": shows[1:], "rows": _table(),
         "goals": list(_goals(now))[:_GOALS], "is_bare": "stage" in request.GET,
         "begins_ms": 0 if show is None else _ms(show.begins_at - now),
-        "again_ms": _ms(_AGAIN if show is None else show.ends_at - now + _AFTER),
+        "again_ms": _ms(_AGAIN if show is None or show.begins_at > now + 2 * _AGAIN else show.ends_at - now + _AFTER),
     }  # fmt: skip
     return page(request, "live.html", **values)
 
