@@ -114,7 +114,7 @@ def play(folder: Path, minutes: float, teams: int, half_s: float) -> list[Row]:
     config = load_site(folder)
     set_up(config)
     migrate(config)
-    codes = _begin(teams, half_s)
+    codes = begin(teams, half_s)
     site = Site(config)
     try:
         for number, code in enumerate(codes):
@@ -140,7 +140,7 @@ def play(folder: Path, minutes: float, teams: int, half_s: float) -> list[Row]:
     return _rows(results, minutes, checked.returncode, differing)
 
 
-def _begin(teams: int, half_s: float) -> list[str]:
+def begin(teams: int, half_s: float) -> list[str]:
     """Make a season that has begun, and teams of four groups; returns the codes of their cards."""
     from django.utils import timezone  # noqa: PLC0415 - once Django is set up
 

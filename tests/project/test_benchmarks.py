@@ -21,10 +21,11 @@ SMALLEST = {
     "challenges": ["--rounds", "1", "--json"],
     "watching": ["--rounds", "1", "--json"],
     "tournament": ["--quick", "--json"],
+    "stage": ["--spectators", "3", "--rounds", "1", "--window-s", "6", "--teams", "3", "--half-s", "4", "--json"],
     "__main__": ["--quick", "--json"],
 }
-"""How each is started; the last five measure no less than what their bars are about."""
-WITH_BARS = {"challenges", "club", "watching", "tournament", "__main__"}
+"""How each is started; the last six measure no less than what their bars are about."""
+WITH_BARS = {"challenges", "club", "watching", "tournament", "stage", "__main__"}
 NO_BENCHMARKS = {"__init__", "rows"}
 
 
