@@ -74,8 +74,7 @@ def _designs(scenario: Scenario, team_path: str) -> str:
     with open_team(locate_team(team_path), *scenario.entrants.values()) as team:
         brought = brought_by(team, seat, scenario)
         if brought is None:
-            help_ = "rcj-challenge new robot writes a first one"
-            raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, f"{team.name} has no robot.yaml", help_))
+            raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, f"{team.name} has no robot.yaml"))
         (verdict,) = brought.verdicts
         if not verdict.designs:
             raise DiagnosticError(*verdict.problems)

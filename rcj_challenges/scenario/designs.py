@@ -99,16 +99,13 @@ def verdict_of_kits(kits: Mapping[str, Kit], guideline: Guideline, robots: Seque
         guideline: of the seat.
         robots: the design of each robot.
     """
-    designs = {name: _design_of(kit, guideline) for name, kit in kits.items()}
+    designs: dict[str, Design] = {}
     verdict = Verdict(robots=tuple(robots), designs=designs)
-    for name, design in designs.items():
-        _judge(verdict, design, name, guideline, 0.0, {})
+    for name, kit in kits.items():
+        devices = {name: device for name, device in kit.devices.items() if name not in guideline.keeps}
+        designs[name] = Design.model_construct(chassis=kit.chassis, devices=devices)
+        _judge(verdict, designs[name], name, guideline, 0.0, {})
     return verdict
-
-
-def _design_of(kit: Kit, guideline: Guideline) -> Design:
-    devices = {name: device for name, device in kit.devices.items() if name not in guideline.keeps}
-    return Design.model_construct(chassis=kit.chassis, devices=devices)
 
 
 def _judge(

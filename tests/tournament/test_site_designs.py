@@ -11,12 +11,13 @@ import pytest
 from rcj_challenges.match.designs import with_designs
 from rcj_challenges.records.folder import SCENARIO
 from rcj_challenges.records.lines import json_line
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.submissions.team import open_team
 from rcj_challenges.tournament.site import SiteSource, publish
 from rcj_challenges.tournament.site.model import MatchView, Season
 from tests.tournament.site_play import make_season
 
+HEAD = "schema_version: 2\nid: given\ntitle: Given\nextends: soccersim_v2\n"
 TEAMS = Path(__file__).resolve().parents[2] / "examples" / "teams"
 
 
@@ -71,4 +72,12 @@ def test_design_of_a_match_that_is_not_released_is_not_shown(played: tuple[SiteS
     source, _ = played
     hidden = replace(source.state, outcomes={})
     site = publish(replace(source, state=hidden), tmp_path).site
+    assert list(site.glob("teams/*.svg")) == []
+
+
+def test_kits_that_the_challenge_gives_a_team_are_no_designs(tmp_path: Path) -> None:
+    season = make_season(tmp_path, ticks=60)
+    kits = "kits: {design_blue_a: {chassis: {size_m: 0.07}}}\nentrants: {blue: {kits: [design_blue_a, v2, v2]}}\n"
+    (season.record / SCENARIO).write_bytes(json_line(load_text(HEAD + kits).resolved))
+    site = publish(season.source(season.outcomes({"groups": 1})), tmp_path / "data").site
     assert list(site.glob("teams/*.svg")) == []

@@ -49,14 +49,13 @@ def draw_designs(team: str, verdict: Verdict, guideline: Guideline) -> str:
         verdict: on the file; a design that breaks the guidelines is drawn too.
         guideline: of the seat.
     """
-    rows = list(verdict.designs)
     paper = _paper([design.chassis for design in verdict.designs.values()], guideline)
     sections = [
         (
             f"{name}{_robots(verdict, name)}: {points_words(verdict, name, guideline)}",
             _draw(paper, verdict, name, guideline, row),
         )
-        for row, name in enumerate(rows)
+        for row, name in enumerate(verdict.designs)
     ]
     sections.append(("Not as the guidelines demand", [Entry(problem.message) for problem in verdict.problems]))
     return paper.svg(f"Robots of {team}", sections, shown="designs")
