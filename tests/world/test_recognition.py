@@ -109,3 +109,37 @@ def test_all_numbers_stay_if_robot_and_things_are_moved_and_turned_together() ->
         numbers = [(*thing.position, math.cos(thing.yaw_rad), math.sin(thing.yaw_rad), thing.width_m, thing.height_m)
                    for thing in (one, other)]  # fmt: skip
         assert numbers[0] == pytest.approx(numbers[1], abs=1e-9)
+
+
+def test_a_wall_beside_a_panorama_is_as_high_as_it_is_where_it_is_nearest() -> None:
+    """Its corners are farther away than its middle."""
+    stage = Stage(
+        obstacles={"screen": {"shape": "wall", "from_m": [0.12, -0.2], "to_m": [0.12, 0.2], "height_m": 0.15}}
+    )
+    stage.put("Y1", 0.0, 0.0)
+    eye = LENSES["panorama"]
+    sight = CameraRenderer(stage.scenario, stage.roster, stage.world)
+    (screen,) = seen_from(stage, "Y1", eye)
+    (picture,) = sight.take([(stage.index("Y1"), eye)])
+    assert most_pixels_off(screen.box, boxes_in(picture, sight, eye)[screen.rgb]) == 0
+
+
+def test_a_ball_whose_middle_is_below_the_picture_is_as_wide_as_what_is_visible_of_it() -> None:
+    stage, eye = Stage(), replace(LOOK, down=0.45)
+    stage.put("Y1", 0.0, 0.0)
+    sight = CameraRenderer(stage.scenario, stage.roster, stage.world)
+    for ahead_m in (0.09, 0.1, 0.11, 0.12):
+        stage.put("ball", ahead_m, 0.01)
+        (ball,) = seen_from(stage, "Y1", eye)
+        (picture,) = sight.take([(stage.index("Y1"), eye)])
+        assert most_pixels_off(ball.box, boxes_in(picture, sight, eye)[ball.rgb]) <= 1
+
+
+def test_from_within_a_goal_its_walls_hide_what_is_on_the_field() -> None:
+    stage, eye = Stage(), replace(LENSES["panorama"], ahead_m=0.03, fov_rad=4.0)
+    goal_y = stage.scenario.field.length_m / 2
+    stage.put("Y1", 0.0, goal_y, math.pi / 2)
+    stage.put("ball", 0.5, goal_y - 0.03)
+    assert seen_from(stage, "Y1", eye) == []
+    stage.put("ball", 0.5, goal_y - 0.1)
+    assert [one.model for one in seen_from(stage, "Y1", eye)] == ["ball"]
