@@ -59,7 +59,7 @@ class RandomPlace(PlaceWord):
         """Return the place in words with the distance that it must have."""
         if self.from_ is None or self.at_least_m is None:
             return words
-        return f"{words} that is at least {metres(self.at_least_m)} from {nearest_of(phrases, self.from_)}"
+        return f"{words}, at least {metres(self.at_least_m)} from {nearest_of(phrases, self.from_)}"
 
 
 def nearest_of(phrases: Phrases, names: Names | Point) -> str:
