@@ -53,7 +53,7 @@ CASES = [
     ("result: {rank: [{tim: ascending}]}\n", "unknown-key result.rank[0] -> time"),
     ("result: {rank: score}\n", "wrong-value result.rank"),
     ("zones: {1st: {shape: rect, x_min_m: 0}}\n", "wrong-name zones.1st"),
-    ("rules: {r: {repeat_for: [blau, weiß], triggers: [{trigger: half_started}], actions: [{action: emit, event: GO, payload: {who: {param: this}}}]}}\n",
+    ("tables: {r: {blau: {}, weiß: {}}}\nrules: {r: {repeat_for: r, triggers: [{trigger: half_started}], actions: [{action: emit, event: GO, payload: {who: {param: this}}}]}}\n",
      "wrong-name tables.r.weiß"),
     ("match: {half_s: 60, half: 30}\n", "unknown-key match -> halves"),
     ("zones: {pitch: {x_min: -0.5}}\n",

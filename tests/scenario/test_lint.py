@@ -214,5 +214,6 @@ def test_a_placeholder_of_a_scenario_without_params_has_a_help_too():
 
 def test_rules_of_one_repeated_rule_are_reported_once():
     repeated = rule("goal_{param: this}", "{trigger: half_started}").replace("goal_{param: this}", "r")
-    repeated = repeated.replace("It is so.", "'{oops}'").replace("}\n", ", repeat_for: [yellow, blue]}\n")
-    assert [one.code for one in lint_of(rules=repeated)].count("unknown-placeholder") == 1
+    repeated = repeated.replace("It is so.", "'{oops}'").replace("}\n", ", repeat_for: teams}\n")
+    teams = "tables: {teams: {yellow: {}, blue: {}}}\n"
+    assert [one.code for one in lint_of(teams, rules=repeated)].count("unknown-placeholder") == 1
