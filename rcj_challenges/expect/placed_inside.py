@@ -9,7 +9,7 @@ from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.effects import Emits, Entry
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import Roster, with_each
+from rcj_challenges.scenario.roster import Roster
 
 
 def placed_inside_notes(
@@ -42,7 +42,7 @@ def _inside(
 ) -> Iterator[tuple[int, str, str]]:
     """Yield when what was put into a zone that a trigger of the rule waits for it to enter."""
     for entry in rule.moments(Entry):
-        entities, zones = (roster.expand(with_each(names, rule.for_each)) for names in (entry.entity, entry.zone))
+        entities, zones = (roster.named(names, rule.for_each, None) for names in (entry.entity, entry.zone))
         for tick, put in placements:
             name = roster.entities[put.entity]
             if put.parked or name not in entities:

@@ -9,10 +9,9 @@ from rcj_challenges.core.play import Pose2
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.geometry.regions import crossing
 from rcj_challenges.rules.effects import Crossing
-from rcj_challenges.rules.fields import Names
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.roster import Roster, with_each
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.gates import seen_from
 
 _WAYS = {1: "forward", -1: "backward"}
@@ -43,8 +42,8 @@ class WrongWays:
 
     def _of_sequence(self, name: str, sequence: Sequence) -> Iterable[_Passage]:
         steps = (one for places in sequence.places() for one in places)
-        gates = [gate for gate in self._members(tuple(steps), None) if gate in self._gates]
-        for entity in self._entities(sequence.followed, None):
+        gates = [gate for gate in self._roster.expand(tuple(steps)) if gate in self._gates]
+        for entity in self._entities(self._roster.expand(sequence.followed)):
             for gate in gates:
                 yield _Passage(entity, gate, -1, f"no step of {name}, which counts only gates crossed forward")
 
@@ -53,18 +52,15 @@ class WrongWays:
             if one.direction == "either":
                 continue
             unheard = f"not counted by the rule {name}, which has direction: {one.direction}"
-            for each in (None,) if rule.for_each is None else self._members(rule.for_each, None):
-                for entity in self._entities(one.entity, each):
+            for each in (None,) if rule.for_each is None else self._roster.keepers(rule.for_each):
+                for entity in self._entities(self._roster.named(one.entity, rule.for_each, each)):
                     # A gate that is drawn is not looked at: it may be another one at that time.
-                    for gate in self._members(one.gate, each):
+                    for gate in self._roster.named(one.gate, rule.for_each, each):
                         if gate in self._gates:
                             yield _Passage(entity, gate, _WRONG[one.direction], unheard)
 
-    def _members(self, names: Names, each: str | None) -> tuple[str, ...]:
-        return self._roster.expand(with_each(names, each))
-
-    def _entities(self, names: Names, each: str | None) -> tuple[int, ...]:
-        return tuple(self._roster.index[name] for name in self._members(names, each))
+    def _entities(self, names: tuple[str, ...]) -> tuple[int, ...]:
+        return tuple(self._roster.index[name] for name in names)
 
     def look(self, tick: int, before: list[Pose2], substeps: list[list[Pose2]], parked: Collection[int]) -> None:
         """Note the crossings of a tick in its sub-steps, ``[sub-step][entity]``, from the poses by entity before them.

@@ -63,29 +63,15 @@ class NameScope:
         key = (names, self.each, self.for_each)
         known = self._members.get(key)
         if known is None:
-            bound = tuple(one for name in as_tuple(names) for one in self._bound(name) or (name,))
-            known = self._members[key] = self.roster.expand(bound)
+            known = self._members[key] = self.roster.named(names, self.for_each, self.each)
         return known
-
-    def _bound(self, name: str) -> tuple[str, ...]:
-        """Return the things that ``each`` and ``others`` stand for, of entrants their robots; none: another name."""
-        members = self._of_rule(name)
-        return self.roster.robots_of(members) if self.for_each == ENTRANTS else members
-
-    def _of_rule(self, name: str) -> tuple[str, ...]:
-        """Return the members of the rule's group for which ``each`` and ``others`` stand."""
-        if name == EACH and self.each is not None:
-            return (self.each,)
-        if self.for_each is None or not self.roster.is_others(name):
-            return ()
-        return tuple(one for one in self.roster.keepers(self.for_each) if one != self.each)
 
     def entrants(self, names: Names) -> tuple[str, ...]:
         found: list[str | None] = []
         for name in as_tuple(names):
             if name in self.roster.teams:
                 found.append(name)
-            elif self.for_each == ENTRANTS and (members := self._of_rule(name)):
+            elif self.for_each == ENTRANTS and (members := self.roster.of_rule(name, ENTRANTS, self.each)):
                 found += members
             else:
                 robots = self.members((self.other or name) if name == OTHER else name)

@@ -139,6 +139,26 @@ class Roster:
             return False
         return set(self.expand(group)) <= set(self.expand(per))
 
+    def of_rule(self, name: str, group: str | None, each: str | None) -> tuple[str, ...]:
+        """Return the members of a rule's group for which ``each`` and ``others`` stand; none for another name.
+
+        Without ``each`` they stand for the whole group.
+        """
+        if name == EACH and each is not None:
+            return (each,)
+        if group is None or (name != EACH and not self.is_others(name)):
+            return ()
+        return tuple(one for one in self.keepers(group) if one != each)
+
+    def named(self, names: Names, group: str | None, each: str | None) -> tuple[str, ...]:
+        """Return the things that names stand for in a rule for one member of a group; of entrants their robots."""
+        found: list[str] = []
+        for name in as_tuple(names):
+            members = self.of_rule(name, group, each)
+            found += self.robots_of(members) if group == ENTRANTS else members
+            found += () if members else (name,)
+        return self.expand(tuple(found))
+
     def robots_of(self, entrants: Iterable[str]) -> tuple[str, ...]:
         """Return the robots of entrants."""
         return tuple(robot for entrant in entrants for robot in self.teams[entrant])
@@ -161,11 +181,12 @@ class Roster:
     def others(self, rule: Rule, each: str | None) -> tuple[str, ...]:
         """Return the names that ``other`` may stand for in a rule of touches, in the order of ``things``.
 
-        Nothing touches itself; the whole group for ``each`` stands for any of its members.
+        Nothing touches itself; without ``each`` that may be any member of the rule's group.
         """
         found: set[str] = set()
         for touch in rule.moments(Touch):
-            found |= touched(self.expand(touch.entity, each), self.expand(touch.other, each))
+            one, other = (self.named(names, rule.for_each, each) for names in (touch.entity, touch.other))
+            found |= touched(one, other)
         return tuple(sorted(found, key=self.index.__getitem__))
 
 

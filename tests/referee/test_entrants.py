@@ -2,6 +2,7 @@
 
 import pytest
 
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load_text
 from tests.referee.building import fail, place, touch
 from tests.scenario.writing import in_short, problems_of
@@ -114,6 +115,37 @@ class TestValuesOfEntrants:
         second = stage(V2, FOULS, half=2, kept=left, **swapped)
         assert second.referee.counters["fouls"] == {"blue": 0, "yellow": 2}
         assert second.referee.kept["counters"] == left["counters"]
+
+
+OTHERS = """
+schema_version: 2
+id: t
+title: T
+extends: soccersim_v2
+gates: {line: {from_m: [-0.5, 0], to_m: [0.5, 0]}}
+rules:
+  crossed:
+    for_each: entrants
+    triggers: [{trigger: crosses, entity: others, gate: line, direction: forward}]
+    actions: [{action: score, entrant: each}]
+  hit:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: others}]
+    actions: [{action: emit, event: HIT, payload: {by: {word: robot_name}, whom: {word: other_name}}}]
+expect:
+  the_opponent_gets_the_point:
+    keyframes:
+      - {at_s: 0, place: {B1: [0, -0.1]}}
+      - {at_s: 1, move: {B1: [0, 0.1]}, touch: [[B2, Y3]]}
+    lasts_s: 2
+    score: {yellow: 1, blue: 0}
+    events: [{event: HIT, payload: {by: B2, whom: Y3}}, {event: HIT, payload: {by: Y3, whom: B2}}]
+"""
+
+
+def test_others_stand_in_triggers_and_in_the_notes_of_tests():
+    loaded = load_text(OTHERS)
+    assert run_test(loaded, "the_opponent_gets_the_point").differences == ()
 
 
 RULE = """

@@ -256,7 +256,7 @@ class Phrasebook:
 
     def _touched(self, rule: Rule) -> str:
         """Return the words for ``other`` in a rule: ``the robot it touches``."""
-        others = self.roster.others(rule, rule.for_each)
+        others = self.roster.others(rule, None)
         if len(others) == 1:
             return self.thing(others[0])
         is_touching = all(getattr(trigger, "entity", None) == "each" for trigger in rule.triggers)

@@ -84,7 +84,7 @@ def _is_over_entities(phrases: Phrasebook, rule: Rule) -> bool:
 
 def _other(phrases: Phrasebook, rule: Rule) -> str:
     """Return the one touched: ``the other robot``, ``the robot`` if a ball touches it, ``Y1`` if only that can be."""
-    others = phrases.roster.others(rule, rule.for_each) if has_other(rule) else ()
+    others = phrases.roster.others(rule, None) if has_other(rule) else ()
     if len(others) == 1:
         return phrases.thing(others[0])
     kind = phrases.one_kind(others)
