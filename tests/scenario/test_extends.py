@@ -174,7 +174,7 @@ def test_a_file_may_extend_the_shipped_one_of_its_own_name(tmp_path):
 
 
 def test_unknown_name_is_refused_with_all_shipped_scenarios():
-    with pytest.raises(ScenarioError, match=r"did you mean 'slalom'\?.* examples hot_spot, keeper.*; variants fast_"):
+    with pytest.raises(ScenarioError, match=r"did you mean 'slalom'\?.* colour_hunt, hot_spot.*; variants fast_"):
         load("slalon")
 
 
