@@ -53,8 +53,9 @@ class Rule(Strict):
     actions: tuple[AnyAction, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Annotated[Name | None, KEEPERS] = described(
         None,
-        "a group of entities, fixed obstacles, zones or gates, or a single one of these: the rule exists once "
-        "for each member, and `each` refers to that member",
+        "entrants, a group of entities, fixed obstacles, zones or gates, or a single one of these: the rule exists "
+        "once for each member, and `each` refers to that member; where a thing is needed, an entrant stands for its "
+        "robots, and where an entrant is needed, a robot for the one it plays for",
     )
     phases: Annotated[
         Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],

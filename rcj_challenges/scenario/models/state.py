@@ -51,7 +51,7 @@ class Counter(Strict):
         "yet; if omitted: 0 or, with keeps, none",
     )
     per: Annotated[Name | None, KEEPERS] = described(
-        None, "a group of entities, fixed obstacles, zones or gates: each member has its own counter"
+        None, "entrants, or a group of entities, fixed obstacles, zones or gates: each member has its own counter"
     )
     keep: Annotated[Name | None, KEEP] = described(
         None, _KEEP.format(", with the robot, not with the team", "; if omitted: half")
@@ -73,7 +73,7 @@ class Flag(Strict):
 
     initial: bool = described(False, "value at the start")
     per: Annotated[Name | None, KEEPERS] = described(
-        None, "a group of entities, fixed obstacles, zones or gates: each member has its own flag"
+        None, "entrants, or a group of entities, fixed obstacles, zones or gates: each member has its own flag"
     )
     keep: Annotated[Name, KEEP] = described("half", _KEEP.format("", ""))
 
@@ -92,7 +92,7 @@ class Timer(Strict):
         "omitted, or without such a number, it runs on",
     )
     per: Annotated[Name | None, KEEPERS] = described(
-        None, "a group of entities, fixed obstacles, zones or gates: each member has its own timer"
+        None, "entrants, or a group of entities, fixed obstacles, zones or gates: each member has its own timer"
     )
     starts: bool = described(False, "True: it runs from the start, of the half or as `keep` says")
     keep: Annotated[Name | None, KEEP] = described(None, _KEEP.format("", "; if omitted: half"))
