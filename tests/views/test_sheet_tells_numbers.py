@@ -66,7 +66,8 @@ field: {goals: {yellow_goal: null}}
 obstacles: {bin: {shape: cylinder, centre_m: [0.5, 0.2], radius_m: 0.05, movable: true}}
 zones: {west: {shape: circle, centre_m: [-0.4, 0], radius_m: 0.1}, east: {shape: circle, centre_m: [0.4, 0], radius_m: 0.1}}
 sequences: {way: {per: robots, steps: [west, east]}}
-counters: {laps: {per: robots}}
+counters: {laps: {per: robots}, best_m: {keeps: highest, initial: 2}}
+flags: {out: {}}
 timers: {watch: {lasts_s: 30, per: robots}}
 draws: {tile: {values: [1, 2, 5]}}
 broadcast: {fields: {version: 3}, only: {Y1: {version: 4}}}
@@ -77,6 +78,7 @@ rules:
       - {action: place, entity: Y1, at: {furthest_free: neutral_spots, from: [0.1, 0.2]}, facing: {towards: [0.3, 0.4]}}
       - {action: place, entity: Y2, at: {nearest_free: neutral_spots, to: [0.1, 0.2]}}
       - {action: set_spot, spot: middle_blue, to: [0.12, 0.34]}
+      - {action: place, entity: ball, at: {uniform_in: west, from: [0.1, 0.3], at_least_m: 0.3}}
       - {action: draw, draw: tile, as: 2}
       - {action: count, counter: laps, to: {distance: [ball, [0.2, 0.1]]}}
       - {action: score, entrant: blue, points: {distance: [ball, [0.2, 0.1]], times: 2, plus: {told: Y1, times: 3}}}
@@ -107,7 +109,10 @@ rules:
       - {spot_free: neutral_spots}
       - {told: blue, text: 7}
       - {draw: tile, equals: 2}
+      - {draw: tile, at_least: 2, at_most: 4}
+      - {draw: tile, above: 1, below: 6}
     actions:
+      - {action: set_flag, flag: out, to: opposite}
       - {action: hold, entity: Y1}
       - {action: release, entity: Y1}
       - {action: timer, timer: watch, do: add, s: 4}
