@@ -226,10 +226,16 @@ def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
 
 def _kept(scenario: Scenario, roster: Roster, given: Given, kept: Mapping[str, Any]) -> dict[str, Any]:
     """Return what the half before left, and what a test presets as if it had; members without a preset are at first."""
-    return dict(kept) | {
-        section: kept.get(section, {}) | {name: _preset(entries[name], value, roster) for name, value in preset.items()}
-        for section, entries, preset in _presets(scenario, given)
-    }
+    roles = {role: None if name == "none" else name for role, name in given.roles.items()}
+    return (
+        dict(kept)
+        | {"draws": kept.get("draws", {}) | roles}
+        | {
+            section: kept.get(section, {})
+            | {name: _preset(entries[name], value, roster) for name, value in preset.items()}
+            for section, entries, preset in _presets(scenario, given)
+        }
+    )
 
 
 def _preset(entry: Counter | Flag, value: Any, roster: Roster) -> Any:
@@ -320,6 +326,9 @@ def _flag_differences(referee: Referee, expected: Expectation) -> Iterable[str]:
             yield from _of_each(f"flag {name}", flag, value)
         else:
             yield from difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
+
+    for role, holder in expected.roles.items():
+        yield from difference(f"role {role}", holder, referee.draws.get(role) or "none")
 
 
 def _pose_differences(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:

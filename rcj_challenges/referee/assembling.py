@@ -90,4 +90,4 @@ def _compile(model: Rule, rule: BoundRule, context: CompileContext) -> None:
         binder.bind(position, trigger)
     rule.cooldown_s = None if model.cooldown_s is None else compile_duration(model.cooldown_s, binder)
     rule.tests = tuple(condition.compile(binder) for condition in model.conditions)
-    rule.actions = tuple(action.compile(binder) for action in model.actions)
+    rule.actions = tuple(binder.by_role(one, lambda act: act.compile(binder), None) for one in model.actions)

@@ -16,7 +16,7 @@ from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Names, Point, Scalar
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.scenario.positions import on_floor
-from rcj_challenges.scenario.rule_effects import alternatives
+from rcj_challenges.scenario.rule_effects import alternatives, roles_in
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.trackers import Tracker
 
@@ -44,13 +44,19 @@ class RuleBinder(NameScope):
         self.emit = context.emit
         self.decided_place = context.state.decided_place
         self._trigger = ""
+        self._holders: tuple[tuple[str, str], ...] = ()
         self._by_time = False
         self._position = 0
 
     def bind(self, position: int, trigger: Trigger) -> None:
         """Bind the rule to one of its triggers, with the place that it has in the rule."""
         self._position, self._trigger, self._by_time = position, trigger.name(), trigger.IS_TIME
-        trigger.bind(self)
+        self.named.clear()
+        named = roles_in(trigger, self.roles)
+        for holders, one in self.for_holders(trigger, named):
+            self._holders = tuple(zip(named, holders, strict=True))
+            one.bind(self)
+        self._holders = ()
 
     def binding(self, entity: int | None = None) -> TriggerBinding:
         """Return the rule's binding to the trigger that is compiled.
@@ -60,16 +66,22 @@ class RuleBinder(NameScope):
         things = self.roster.things
         name, turn = (None, len(things)) if entity is None else (things[entity], entity)
         key = (self.rule.rank, self._position, turn)
-        return TriggerBinding(self.rule, name, self._trigger, key, self._by_time)
+        holders, draws = self._holders, self.state.draws
+        applies = (lambda: all(draws[role] == holder for role, holder in holders)) if holders else None
+        return TriggerBinding(self.rule, name, self._trigger, key, self._by_time, applies)
 
     def index_of(self, name: str) -> int | None:
         return self.roster.index.get(name)
 
     def track(self, kind: type[_T], key: tuple[object, ...], *args: Any) -> _T:
-        return self._context.track(kind, key, self.rule.phases, *args)
+        # One that is about members of roles is not shared with others: it is reset when one of these is assigned.
+        tracker = self._context.track(kind, (*key, *self._holders), self.rule.phases, *args)
+        self.reset_with_draws(tracker, tuple(role for role, _ in self._holders))
+        return tracker
 
     def track_alone(self, tracker: Tracker) -> None:
         self._context.track_alone(tracker, self.rule.phases)
+        self.reset_with_draws(tracker, (*(role for role, _ in self._holders), *sorted(self.named)))
 
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         state, bodies = self.state, self._context.bodies
@@ -92,6 +104,12 @@ class RuleBinder(NameScope):
             self.state.draw_again(draw, self.scenario.draws[draw])
         if self.state.draws[draw] != before:
             self._context.has_drawn(draw)
+
+    def assign(self, role: str, member: str | None) -> None:
+        self._context.assign(role, lambda: self.state.set_draw(role, member))
+
+    def assign_next(self, role: str) -> None:
+        self._context.assign(role, lambda: self.state.assign_next(role))
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         return self.scenario.draws[draw].values

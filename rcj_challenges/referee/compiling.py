@@ -68,7 +68,9 @@ class CompileContext:
         clock.length = ticks_from_s(clock.length_s)
 
     def set_lengths(self) -> None:
-        """Give each timer the length that it has as the half starts."""
+        """Give each timer the length that it has as the half starts, and let roles begin anew with their phases."""
+        for name, role in self.scenario.roles.items():
+            self.state.anew_in(role.keep, partial(self.assign, name, partial(self.state.begin_role, name)))
         for name, clocks in self.state.timers.items():
             self.state.anew_in(self.scenario.timers[name].keep, partial(self._begin_timer, name))
             for owner, clock in clocks.items():
@@ -96,8 +98,17 @@ class CompileContext:
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
         """Reset a tracker whenever one of the draws among these names decides otherwise."""
         for name in names:
-            if name in self.roster.drawn and tracker not in self._by_draw.setdefault(name, []):
+            if (name in self.roster.drawn or name in self.roster.roles) and tracker not in self._by_draw.setdefault(
+                name, []
+            ):
                 self._by_draw[name].append(tracker)
+
+    def assign(self, role: str, assign: Callable[[], None]) -> None:
+        """Assign a role, and reset all that follows who has it, if that changed."""
+        before = self.state.draws[role]
+        assign()
+        if self.state.draws[role] != before:
+            self.has_drawn(role)
 
     def has_drawn(self, name: str) -> None:
         """Reset all that follows what a draw decided: its change is not an edge."""

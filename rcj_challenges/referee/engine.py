@@ -121,8 +121,8 @@ class Referee:
         return {name: self._state.held.holds(robot) for robot, name in enumerate(roster.entities[: roster.robots])}
 
     @property
-    def draws(self) -> dict[str, Scalar]:
-        """What the draws decided, by name."""
+    def draws(self) -> dict[str, Any]:
+        """What the draws decided, and who has the roles, by name; None: nothing."""
         return self._state.draws
 
     @property

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from itertools import product
 from math import sqrt
 from random import Random
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import distance_to_segment_m
@@ -18,7 +19,7 @@ from rcj_challenges.scenario.models.field import Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, as_tuple
-from rcj_challenges.scenario.rule_effects import spots_set_by_rules
+from rcj_challenges.scenario.rule_effects import roles_in, spots_set_by_rules, with_names
 from rcj_challenges.tracking.circles import AnchoredCircle
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
@@ -27,9 +28,12 @@ from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.target import Target
 
 _T = TypeVar("_T")
+_W = TypeVar("_W")
+_F = TypeVar("_F", bound=Callable[..., Any])
 
 if TYPE_CHECKING:
-    from rcj_challenges.rules.binder import Scope
+    from rcj_challenges.rules.base import Condition
+    from rcj_challenges.rules.binder import Binder, Scope
 
 
 class NameScope:
@@ -40,6 +44,9 @@ class NameScope:
         contacts: what touches what.
         each: the name that ``each`` stands for; None: it is not known there.
         same: another scope of this referee; what either finds out about names serves both.
+
+    Attributes:
+        named: the roles that the words named that it was asked to compile.
     """
 
     def __init__(
@@ -52,12 +59,37 @@ class NameScope:
         self.contacts = contacts
         self.scenario = state.scenario
         self.roster = state.roster
+        self.named: set[str] = set()
+        self.roles: Mapping[str, tuple[str, ...]] = state.roster.roles
         self._set_by_rules: frozenset[str] = (
             frozenset(spots_set_by_rules(state.scenario)) if same is None else same._set_by_rules  # noqa: SLF001 - its own class
         )
         self._members: dict[tuple[Names, str | None, str | None], tuple[str, ...]] = {}
         if same is not None:
             self._members = same._members  # noqa: SLF001 - its own class
+
+    def by_role(self, word: _W, compiled: Callable[[_W], _F], otherwise: Any) -> _F:
+        named = roles_in(word, self.roles)
+        self.named.update(named)
+        if not named:
+            return compiled(word)
+        draws = self.state.draws
+        found = {holders: compiled(one) for holders, one in self.for_holders(word, named)}
+
+        def choose(*args: Any) -> Any:
+            chosen = found.get(tuple(draws[role] for role in named))
+            return otherwise if chosen is None else chosen(*args)
+
+        return cast("_F", choose)
+
+    def watched(self, condition: Condition) -> tuple[int, ...]:
+        words = self.for_holders(condition, roles_in(condition, self.roles))
+        return tuple(dict.fromkeys(entity for _, one in words for entity in one.watched(cast("Binder", self))))
+
+    def for_holders(self, word: _W, roles: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], _W]]:
+        """Yield a word once for all that may have the roles that it names: these, and the word with their names."""
+        for holders in product(*(self.roles[role] for role in roles)):
+            yield holders, with_names(word, dict(zip(roles, holders, strict=True)))
 
     def members(self, names: Names) -> tuple[str, ...]:
         key = (names, self.each, self.for_each)

@@ -51,6 +51,8 @@ class State(RefereeState):
         self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
         self.began_with = {"half": dict(self.scores), "phase": dict(self.scores)}
         self._by_phase: list[tuple[str, Callable[[], None]]] = []
+        roles = {name: role.draw(roster.roles[name]) for name, role in scenario.roles.items()}
+        self.chosen: dict[str, Draw] = {**scenario.draws, **roles}
         self._histories: dict[str, dict[str, RuleHistory]] = {}
         self._fill()
 
@@ -120,25 +122,46 @@ class State(RefereeState):
         """
         for name, series in decided.items():
             self._decided[name] = list(series_of(series))
-            known = self.scenario.draws[name].values if name in self.scenario.draws else ()
+            known = self.chosen[name].values if name in self.chosen else ()
             wrong = [value for value in self._decided[name] if value not in known]
             if wrong:
                 message = f"draws.{name}: {wrong[0]!r} is not one of its values"
                 raise ValueError(message)
         kept, undrawn = self.half.kept.get("draws", {}), self.half.kept.get("undrawn", {})
-        for name, draw in self.scenario.draws.items():
+        for name, draw in self.chosen.items():
             if draw.not_again is not None:
                 self._undrawn[name] = list(undrawn.get(name, draw.values))
             if name in decided:
                 self.draw_again(name, draw)
-            elif draw.keep == "match" and name in kept:
+            elif name in kept:
                 self.draws[name] = kept[name]
                 if name not in undrawn:  # else it was taken out when it was drawn
                     self.set_draw(name, kept[name])
+            elif name in self.scenario.roles:
+                self.begin_role(name)
             else:
                 self.draw_again(name, draw)
 
-    def set_draw(self, name: str, value: Scalar) -> None:
+    def begin_role(self, name: str) -> None:
+        """Let a role stand for what it does at first."""
+        role, members = self.scenario.roles[name], self.roster.roles[name]
+        if role.order == "random" and role.initial is None:
+            self.draw_again(name, self.chosen[name])
+        else:
+            self.set_draw(name, members[0] if role.initial is None else None)
+
+    def assign_next(self, name: str) -> None:
+        """Give a role to the next in its order: behind none the first one comes, behind the last one none or that."""
+        role, members = self.scenario.roles[name], self.roster.roles[name]
+        if role.order == "random":
+            self.draw_again(name, self.chosen[name])
+            return
+        last = self.draws[name]
+        following = 0 if last is None else members.index(str(last)) + 1
+        is_over = following == len(members) and not role.cyclic
+        self.set_draw(name, None if is_over else members[following % len(members)])
+
+    def set_draw(self, name: str, value: Scalar | None) -> None:
         """Let a draw have a value, which has been drawn then."""
         self.draws[name] = value
         undrawn = self._undrawn.get(name, [])
@@ -184,7 +207,7 @@ class State(RefereeState):
             if counter.keep == "match"
         }
         undrawn: dict[str, object] = {
-            name: list(left) for name, left in self._undrawn.items() if self.scenario.draws[name].not_again == "match"
+            name: list(left) for name, left in self._undrawn.items() if self.chosen[name].not_again == "match"
         }
         timers: dict[str, object] = {
             name: self._by_team({one or "": self._clock_kept(clock) for one, clock in clocks.items()}, per_of[name])
@@ -196,7 +219,7 @@ class State(RefereeState):
             for rule, pasts in self._histories.items()
         }
         return {
-            "draws": {name: self.draws[name] for name, draw in self.scenario.draws.items()
+            "draws": {name: self.draws[name] for name, draw in self.chosen.items()
                       if draw.keep == "match" and name in self.draws},
             "flags": {name: self._by_team(self.flags[name], flag.per) for name, flag in self.scenario.flags.items()
                       if flag.keep == "match"},

@@ -260,7 +260,7 @@ class Condition(KeyedWord):
 
     def compile(self, to: Binder) -> Test:
         """Return the test of the condition, turned over if it is negated."""
-        test = self.test(to)
+        test = to.by_role(self, lambda word: word.test(to), otherwise=False)
         return (lambda: not test()) if self.negate else test
 
     def test(self, to: Binder) -> Test:

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from rcj_challenges.geometry.regions import Region
 
 _T = TypeVar("_T", bound=Tracker)
+_W = TypeVar("_W")
+_F = TypeVar("_F", bound=Callable[..., Any])
 
 
 class Scope(Protocol):
@@ -35,6 +37,18 @@ class Scope(Protocol):
 
     contacts: Contacts
     """What touches what."""
+
+    roles: Mapping[str, tuple[str, ...]]
+    """The members of each role."""
+
+    def by_role(self, word: _W, compiled: Callable[[_W], _F], otherwise: Any) -> _F:
+        """Compile a word, or one for all members of the roles that it names: then return the choice of those now.
+
+        While one of these roles stands for nothing, the result of what is returned is `otherwise`.
+        """
+
+    def watched(self, condition: Any) -> tuple[int, ...]:
+        """Return the entities whose placement changes a condition, whoever has the roles that it names."""
 
     def members(self, names: Names) -> tuple[str, ...]:
         """Return the members that names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
@@ -181,6 +195,12 @@ class Binder(Scope, Protocol):
 
     def decide_draw(self, draw: str, value: Scalar | None) -> None:
         """Draw again, or set a draw to a value; trackers that depend on the draw are reset if it changed."""
+
+    def assign(self, role: str, member: str | None) -> None:
+        """Give a role to a member, or to none; trackers that depend on it are reset if it changed."""
+
+    def assign_next(self, role: str) -> None:
+        """Give a role to the next of its order."""
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""

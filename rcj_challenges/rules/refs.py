@@ -37,6 +37,11 @@ class Ref:
     instead_of: frozenset[str] = frozenset({"obstacle", "fixed obstacle"})
     is_written: bool = False
 
+    @property
+    def takes_roles(self) -> bool:
+        """Whether the name of a role may stand there, within a rule or the broadcast."""
+        return (self.each or "spot" in self.kinds) and not self.keys and not self.is_written
+
 
 @dataclass(frozen=True)
 class SectionRef:
@@ -125,18 +130,20 @@ ANCHORS = replace(ANCHOR, groups=True)
 WHOSE = Ref("entity", KEEPING | {"entrant"}, each=True)
 WHOSE_OF = replace(WHOSE, groups=True)
 KEEPERS = Ref("entity, obstacle, zone or gate", KEEPING, groups=True)
+ROLE_OF = Ref("entity, obstacle, spot, zone or gate", KEEPING | _SPOT, groups=True)
 STEP = Ref("zone or gate", _ZONE | _GATE)
 
 COUNTER = SectionRef("counter", ("counters",))
 FLAG = SectionRef("flag", ("flags",))
 TIMER = SectionRef("timer", ("timers",))
 DRAW = SectionRef("draw", ("draws",))
+ROLE = SectionRef("role", ("roles",))
 PHASE = SectionRef("phase", ("phases",), words=frozenset({"play"}))
 KEEP = replace(PHASE, words=PHASE.words | {"half", "match", "phase"})
 SEQUENCE = SectionRef("sequence", ("sequences",))
 ENTRANT = SectionRef("entrant", ("entrants",))
 SCORED = replace(ENTRANT, words=frozenset({"each", "other", "others", "entrants"}))
 
-WRITTEN_COUNTER, WRITTEN_FLAG, WRITTEN_TIMER, WRITTEN_DRAW, WRITTEN_SEQUENCE = (
-    replace(one, is_written=True) for one in (COUNTER, FLAG, TIMER, DRAW, SEQUENCE)
+WRITTEN_COUNTER, WRITTEN_FLAG, WRITTEN_TIMER, WRITTEN_DRAW, WRITTEN_ROLE, WRITTEN_SEQUENCE = (
+    replace(one, is_written=True) for one in (COUNTER, FLAG, TIMER, DRAW, ROLE, SEQUENCE)
 )

@@ -45,7 +45,7 @@ def as_one(conditions: Condition | tuple[Condition, ...]) -> Condition:
 
 def watched_by(to: Binder, conditions: Sequence[Condition]) -> tuple[int, ...]:
     """Return the entities whose placement changes any of several conditions."""
-    return tuple(dict.fromkeys(entity for condition in conditions for entity in condition.watched(to)))
+    return tuple(dict.fromkeys(entity for condition in conditions for entity in to.watched(condition)))
 
 
 def opposites(conditions: Sequence[Condition]) -> list[Condition]:

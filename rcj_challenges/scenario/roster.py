@@ -27,7 +27,7 @@ BOUND = (EACH, OTHER)
 
 _KIND_OF_SECTION = {"robots": "robot", "balls": "ball", "zones": "zone", "gates": "gate", "spots": "spot"}
 _NOUN_OF_SECTION = {
-    "entrants": "entrant", "draws": "draw", "counters": "counter", "flags": "flag", "timers": "timer",
+    "entrants": "entrant", "draws": "draw", "roles": "role", "counters": "counter", "flags": "flag", "timers": "timer",
     "sequences": "sequence", "placements": "layout", "phases": "phase", "kits": "kit", "params": "param",
     "guidelines": "guideline",
 }  # fmt: skip
@@ -59,6 +59,7 @@ class Roster:
         sections: section to the names that it defines.
         colours: the groups of robots by their colour.
         teams: entrant to its robots, which it stands for where things are asked for; so does the group ``entrants``.
+        roles: role to its members.
     """
 
     entities: tuple[str, ...]
@@ -72,6 +73,7 @@ class Roster:
     sections: dict[str, tuple[str, ...]]
     colours: tuple[str, ...]
     teams: dict[str, tuple[str, ...]]
+    roles: dict[str, tuple[str, ...]]
 
     @classmethod
     def of(cls, scenario: Scenario) -> Roster:
@@ -83,6 +85,7 @@ class Roster:
             parts=scenario.groups,
             values={name: draw.values for name, draw in scenario.draws.items()},
             teams={name: tuple(entrant.robots) for name, entrant in scenario.entrants.items()},
+            roles={name: as_tuple(role.of) for name, role in scenario.roles.items()},
         )
 
     @classmethod
@@ -105,6 +108,7 @@ class Roster:
             else {},  # refused as too many; nothing more is said about them
             values={name: texts(node_at(root, ("draws", name, "values"))) for name in sections.get("draws", ())},
             teams={name: _keys(root, ENTRANTS, name, "robots") for name in sections.get(ENTRANTS, ())},
+            roles={name: texts(node_at(root, ("roles", name, "of"))) for name in sections.get("roles", ())},
         )
 
     def names(self, section: str) -> tuple[str, ...]:
@@ -171,7 +175,7 @@ class Roster:
             if rule is not None and name == OTHER and has_other(rule):
                 found += self.others(rule, rule.for_each)
             else:
-                found += self.drawn.get(name, (name,))
+                found += self.roles.get(name) or self.drawn.get(name, (name,))
         return tuple(dict.fromkeys(found))
 
     def is_others(self, name: str) -> bool:
@@ -185,8 +189,8 @@ class Roster:
         """
         found: set[str] = set()
         for touch in rule.moments(Touch):
-            one, other = (self.named(names, rule.for_each, each) for names in (touch.entity, touch.other))
-            found |= touched(one, other)
+            named = (self.named(names, rule.for_each, each) for names in (touch.entity, touch.other))
+            found |= touched(*map(self.may_be, named))
         return tuple(sorted(found, key=self.index.__getitem__))
 
 
@@ -227,6 +231,7 @@ def _roster(
     parts: Mapping[str, tuple[str, ...]],
     values: Mapping[str, tuple[Scalar, ...]],
     teams: dict[str, tuple[str, ...]],
+    roles: Mapping[str, tuple[str, ...]],
 ) -> Roster:
     robots, balls, obstacles = (sections.get(section, ()) for section in ("robots", "balls", "obstacles"))
     entities = (*robots, *balls, *(name for name in obstacles if name in movable))
@@ -268,6 +273,14 @@ def _roster(
         sections=sections,
         colours=by_colour,
         teams=teams,
+        roles={
+            role: tuple(
+                dict.fromkeys(
+                    one for name in names for one in (tuple(teams) if name == ENTRANTS else groups.get(name, (name,)))
+                )
+            )
+            for role, names in roles.items()
+        },
     )
 
 

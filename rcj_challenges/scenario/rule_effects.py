@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import groupby
 from operator import attrgetter
 from typing import Any
 
-from rcj_challenges.rules.base import ValueWord, Word
+from rcj_challenges.rules.base import Condition, ValueWord, Word
 from rcj_challenges.rules.effects import Draws, HalfStart, Places, PlacesLayout, SetsPhase, SetsSpot, Touch
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.placement import places
-from rcj_challenges.rules.refs import SCORED, Ref, drawn_value, ref_of, refs_of
+from rcj_challenges.rules.refs import SCORED, Ref, SectionRef, drawn_value, ref_of, refs_of
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.placeholders import placeholders_in
-from rcj_challenges.scenario.roster import BOUND, OTHER, has_other, with_each
+from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, has_other, with_each
 from rcj_challenges.scenario.walk import walk
 
 
@@ -134,36 +134,51 @@ def written_others(rule: Rule) -> tuple[str, ...]:
 
 def for_other(rule: Rule, other: str) -> Rule:
     """Return a rule with one name for ``other`` in its conditions and actions."""
+    names = {OTHER: other}
     return rule.model_copy(
-        update={"conditions": with_other(rule.conditions, other), "actions": with_other(rule.actions, other)}
+        update={"conditions": with_names(rule.conditions, names), "actions": with_names(rule.actions, names)}
     )
 
 
-def with_other(value: Any, other: str) -> Any:
-    """Return a part of a rule with a name wherever it says ``other``; the very same part if it never does.
+def with_names(value: Any, names: Mapping[str, str]) -> Any:
+    """Return a part of a rule with names in the place of others; the very same part if it says none of these.
 
-    An entrant stays: who drives a robot is known where it is read.
+    An entrant that is ``other`` stays: who drives a robot is known where it is read.
     """
     if isinstance(value, Strict):
-        changed = {name: _field(value, name, other) for name in type(value).model_fields}
+        changed = {name: _field(value, name, names) for name in type(value).model_fields}
         update = {name: field for name, field in changed.items() if field is not getattr(value, name)}
         return value.model_copy(update=update) if update else value
     if isinstance(value, tuple):
-        parts = tuple(with_other(part, other) for part in value)
+        parts = tuple(with_names(part, names) for part in value)
         return parts if any(new is not old for new, old in zip(parts, value, strict=True)) else value
     if isinstance(value, dict):
-        entries = {key: with_other(part, other) for key, part in value.items()}
+        entries = {key: with_names(part, names) for key, part in value.items()}
         return entries if any(entries[key] is not part for key, part in value.items()) else value
     return value
 
 
-def _field(model: Strict, name: str, other: str) -> Any:
-    value = getattr(model, name)
-    if drawn_value(type(model), name) is not None:
-        return other if value == OTHER else value
-    reference = ref_of(type(model), name)
-    if not isinstance(reference, Ref) or not reference.each:
-        return with_other(value, other)
-    if isinstance(value, tuple) and OTHER in value:
-        return tuple(other if part == OTHER else part for part in value)
-    return other if value == OTHER else with_other(value, other)
+def _field(model: Strict, name: str, names: Mapping[str, str]) -> Any:
+    value, reference = getattr(model, name), ref_of(type(model), name)
+    if isinstance(reference, SectionRef) and EACH in reference.words:
+        names = {old: new for old, new in names.items() if old != OTHER}
+    elif drawn_value(type(model), name) is None and not (isinstance(reference, Ref) and reference.takes_roles):
+        return with_names(value, names)
+    if isinstance(value, tuple) and any(isinstance(part, str) and part in names for part in value):
+        return tuple(names.get(part, part) if isinstance(part, str) else part for part in value)
+    return names.get(value, value) if isinstance(value, str) else with_names(value, names)
+
+
+def roles_in(word: Any, roles: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return the roles that a word names, in order; conditions in it, and values by key, find theirs by themselves."""
+    found: list[str] = []
+    for name in type(word).model_fields:
+        value, reference = getattr(word, name), ref_of(type(word), name)
+        is_thing = isinstance(reference, Ref) and reference.takes_roles
+        if is_thing or (isinstance(reference, SectionRef) and EACH in reference.words):
+            names = value if isinstance(value, tuple) else (value,)
+            found += [one for one in names if isinstance(one, str) and one in roles]
+        for part in value if isinstance(value, tuple) else (value,):
+            if isinstance(part, Strict) and not isinstance(part, Condition):
+                found += roles_in(part, roles)
+    return tuple(dict.fromkeys(found))

@@ -124,6 +124,7 @@ class TriggerBinding:
         entity: the entity or obstacle it is about, or None.
         key: order among all bindings: the rule's rank, the trigger's place in the rule, the index of what it is about.
         by_time: whether a time sets it off, so that it fires after all else of its priority.
+        applies: whether it counts now: it may be about one of the members of a role; None: it always does.
     """
 
     rule: BoundRule
@@ -131,6 +132,7 @@ class TriggerBinding:
     trigger: str
     key: tuple[int, int, int]
     by_time: bool = False
+    applies: Test | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,5 +168,6 @@ class HitBuffer(list[TriggerHit]):
         """Return one hit for each bound rule, in the order of firing; of several, the first trigger's of its round."""
         first: dict[int, TriggerHit] = {}
         for hit in sorted(self, key=lambda hit: (hit.round, hit.binding.key)):
-            first.setdefault(hit.binding.key[0], hit)
+            if hit.binding.applies is None or hit.binding.applies():
+                first.setdefault(hit.binding.key[0], hit)
         return list(first.values())

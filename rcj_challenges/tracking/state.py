@@ -64,6 +64,7 @@ class RefereeState:
         counters, flags: by name; a mapping by entity for those kept per entity.
         first: the values at the beginning of a half, by section and name.
         keeps: by counter that keeps the lowest or highest of what it is given, how that is found.
+        draws: what was drawn, and the members that have the roles, by name; None: nothing has the role.
         timers: by name, then entity (None for one that is not kept per entity).
         entrant_of: by robot, the entrant it plays for.
         ended: None, or why an ``end`` action ended the half.
@@ -93,7 +94,7 @@ class RefereeState:
         self.first: dict[str, dict[str, Any]] = {}
         self.keeps: dict[str, Callable[[Number, Number], Number]] = {}
         self.timers: dict[str, dict[str | None, Clock]] = {}
-        self.draws: dict[str, Scalar] = {}
+        self.draws: dict[str, Any] = {}
         self.ended: str | None = None
         self.match_over = False
         self.entrant_of: dict[str, str] = {}

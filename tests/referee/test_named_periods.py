@@ -25,18 +25,17 @@ rules:
 BEST_OF_FIVE = (
     """
 match: {halves: 5, half_s: 1.6, called: leg}
-groups: {captains: [B1, Y1]}
-counters: {legs: {per: captains, keep: match}}
+counters: {legs: {per: entrants, keep: match}}
 """
     + GOALS
     + """
   leg_won:
-    for_each: captains
+    for_each: entrants
     triggers: [{trigger: half_ended}]
-    conditions: [{score: each, since: half, above: 0}]
-    actions: [{action: count, counter: legs, entity: each}]
+    conditions: [{score: each, since: half, above: {score: others, since: half}}]
+    actions: [{action: count, counter: legs}]
   match_won:
-    triggers: [{trigger: holds, conditions: [{counter: legs, entity: captains, at_least: 3}]}]
+    triggers: [{trigger: holds, conditions: [{counter: legs, entity: entrants, at_least: 3}]}]
     actions: [{action: end, what: match, reason: three legs}]
 """
 )
@@ -67,7 +66,7 @@ def played(text: str, *goals: str) -> list[ScriptedMatch]:
 def test_first_to_win_three_legs():
     legs = played(BEST_OF_FIVE, "yellow", "blue", "yellow", "yellow", "blue")
     assert len(legs) == 4
-    assert legs[-1].referee.counters["legs"] == {"B1": 1, "Y1": 3}
+    assert legs[-1].referee.counters["legs"] == {"blue": 1, "yellow": 3}
     assert legs[-1].referee.scores == {"blue": 1, "yellow": 3}
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.rules.refs import Ref, refs_of
-from rcj_challenges.scenario.rule_effects import with_other
+from rcj_challenges.scenario.rule_effects import with_names
 from tests.scenario.test_cross_references import WORLD
 from tests.scenario.writing import loaded, problems_of
 from tests.whole_scenarios.models import all_models
@@ -118,7 +118,7 @@ def test_wherever_each_may_stand_other_is_replaced_too(model, key):
         ((0.5, 1.0), (0.5, 1.0)),
     ):
         part = model.model_construct(**{**dict.fromkeys(model.model_fields), name: written})
-        assert getattr(with_other((part,), "B1")[0], name) == expected
+        assert getattr(with_names((part,), {"other": "B1"})[0], name) == expected
 
 
 # --- lint -------------------------------------------------------------------------------------------------------------

@@ -234,7 +234,7 @@ def _expected(maker: Maker, data: Data) -> None:
         if maker.chance.random() < 0.7:
             data.pop(key, None)
     for name in data.get("draws", {}):
-        data["draws"][name] = maker.chance.choice(maker.stage.draws[name])
+        data["draws"][name] = maker.chance.choice({**maker.stage.draws, **maker.stage.roles}[name])
     for section in (data, data.get("given", {})):
         _one_for_each(maker, section)
 

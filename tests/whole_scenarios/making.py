@@ -219,6 +219,8 @@ class Maker:
             known += self._groups_of(reference)
         if reference.drawn and chance.random() < 0.2:
             known += [draw for draw, values in stage.draws.items() if self._may_be(values, reference)]
+        if reference.takes_roles and chance.random() < 0.2:
+            known += [role for role, members in stage.roles.items() if self._may_be(members, reference)]
         return chance.choice(known) if known else self._refused()
 
     def _groups_of(self, reference: Ref) -> list[str]:

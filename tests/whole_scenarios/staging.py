@@ -40,6 +40,7 @@ class Stage:
         groups: members of each group.
         kept: of counters, flags, timers and sequences by name: for which group there is one each, or None.
         draws: values of each draw.
+        roles: members of each role.
         steps: zones or gates of each sequence.
         events: names of events that are emitted, or only waited for.
         named: the names of the other sections.
@@ -50,6 +51,7 @@ class Stage:
     groups: dict[str, tuple[str, ...]] = field(default_factory=dict)
     kept: dict[tuple[str, str], str | None] = field(default_factory=dict)
     draws: dict[str, list[Any]] = field(default_factory=dict)
+    roles: dict[str, list[Any]] = field(default_factory=dict)
     steps: dict[str, list[str]] = field(default_factory=dict)
     events: list[str] = field(default_factory=lambda: ["GOAL", "A", "X_1", "NEVER"])
     named: dict[str, list[str]] = field(default_factory=dict)
@@ -131,13 +133,26 @@ def _take_over(stage: Stage, brought: Data) -> None:
 
 
 def _take_over_state(stage: Stage, brought: Data) -> None:
-    for section in ("entrants", "kits", "counters", "flags", "timers", "sequences", "draws", "placements", "phases"):
+    for section in (
+        "entrants",
+        "kits",
+        "counters",
+        "flags",
+        "timers",
+        "sequences",
+        "draws",
+        "roles",
+        "placements",
+        "phases",
+    ):
         stage.named[section] = list(brought.get(section, {}))
     for section, kind in (("counters", "counter"), ("flags", "flag"), ("timers", "timer"), ("sequences", "sequence")):
         for name, entry in brought.get(section, {}).items():
             stage.kept[kind, name] = entry.get("per")
     for name, entry in brought.get("draws", {}).items():
         stage.draws[name] = entry["values"]
+    for name, entry in brought.get("roles", {}).items():
+        stage.roles[name] = [entry["of"]] if isinstance(entry["of"], str) else list(entry["of"])
     for name, entry in brought.get("sequences", {}).items():
         stage.steps[name] = [
             one for step in entry["steps"] for one in ([step] if isinstance(step, str) else step["any_of"])

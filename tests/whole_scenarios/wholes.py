@@ -16,7 +16,7 @@ from rcj_challenges.scenario.load import Loaded, load_text
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Broadcast, Expectation, Result
-from rcj_challenges.scenario.models.state import Counter, Flag, Phase, Sequence, Timer
+from rcj_challenges.scenario.models.state import Counter, Flag, Phase, Role, Sequence, Timer
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.tree import plain
 from tests.whole_scenarios.making import ImpossibleError, Maker
@@ -119,6 +119,7 @@ def _made(chance: random.Random) -> Data:
     _add_layout_names(stage, chance)
     _add_phase_names(stage, chance)
     _add_draws(stage, chance)
+    _add_roles(stage, maker)
     _add_state(stage, maker)
     _add_layouts(stage, maker)
     _add_phases(stage, maker)
@@ -194,6 +195,18 @@ def _add_draws(stage: Stage, chance: random.Random) -> None:
             name = stage.fresh(chance)
             stage.add("draws", name, draw)
             stage.draws[name] = values
+
+
+def _add_roles(stage: Stage, maker: Maker) -> None:
+    chance = maker.chance
+    kinds = sorted({kind for kind in stage.kinds.values() if kind != "group"})
+    for _ in range(chance.choice((0, 1, 2)) if kinds else 0):
+        kind = chance.choice(kinds)
+        members = [name for name, its in stage.kinds.items() if its == kind]
+        name = stage.fresh(chance)
+        role = maker.model(Role, without=("of", "initial"), often=0.4)
+        stage.add("roles", name, {"of": members} | role | ({"initial": "none"} if chance.random() < 0.2 else {}))
+        stage.roles[name] = members
 
 
 def _add_state(stage: Stage, maker: Maker) -> None:

@@ -2,6 +2,7 @@
 
 from typing import Annotated
 
+from rcj_challenges.rules.actions.assign import Assign
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.emit import Emit
@@ -27,6 +28,7 @@ ACTIONS.add(
     Reset,
     SetSpot,
     DrawAction,
+    Assign,
     Place,
     Remove,
     Hold,

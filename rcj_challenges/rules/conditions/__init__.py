@@ -12,6 +12,7 @@ from rcj_challenges.rules.conditions.draw import DrawIs
 from rcj_challenges.rules.conditions.entity import FactIs
 from rcj_challenges.rules.conditions.flag import FlagIs
 from rcj_challenges.rules.conditions.last_touch import LastTouchIs
+from rcj_challenges.rules.conditions.role import RoleIs
 from rcj_challenges.rules.conditions.score import ScoreIs
 from rcj_challenges.rules.conditions.sequence import SequenceIs
 from rcj_challenges.rules.conditions.speed import SpeedIs
@@ -39,6 +40,7 @@ CONDITIONS.add(
     SpeedIs,
     WayIs,
     DrawIs,
+    RoleIs,
     LastTouchIs,
     ToldIs,
     SequenceIs,

@@ -23,6 +23,7 @@ from rcj_challenges.rules.values.lowest import LowestValue
 from rcj_challenges.rules.values.number import NUMBERS, Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.position_of import PositionValue
 from rcj_challenges.rules.values.reported import ReportedValue
+from rcj_challenges.rules.values.role import RoleValue
 from rcj_challenges.rules.values.score import ScoreValue
 from rcj_challenges.rules.values.speed import SpeedValue
 from rcj_challenges.rules.values.sum import SumValue
@@ -47,7 +48,7 @@ _NUMBERS = (
 NUMBERS.add(*_NUMBERS, NumberDraw, NumberWord, FactValue)  # the last one: its key stands beside those of others
 
 VALUES = KeyedVocabulary({"literal": Scalar}, lambda _value: "literal")
-VALUES.add(*_NUMBERS, DrawValue, WordValue, PositionValue, LastTouchValue, FactValue)
+VALUES.add(*_NUMBERS, DrawValue, RoleValue, WordValue, PositionValue, LastTouchValue, FactValue)
 Value = Annotated[Scalar | ValueWord, VALUES]
 """What stands in the payload of an event or in the broadcast."""
 
@@ -68,7 +69,9 @@ Waits = Annotated[float | ValueWord, NUMBERS.beside({"number": NotNegative}, lam
 
 def compile_value(value: Value, to: Scope) -> Reader:
     """Return a function that reads a value of an event's payload or of the broadcast."""
-    return value.read(to) if isinstance(value, ValueWord) else lambda _firing: value
+    if isinstance(value, ValueWord):
+        return to.by_role(value, lambda one: one.read(to), None)
+    return lambda _firing: value
 
 
 def longest_s(lasts_s: object, draws: Mapping[str, Any]) -> float | None:

@@ -218,7 +218,7 @@ def compile_amount(amount: Amount, to: Scope) -> Reader:
 def read_number(amount: Amount, to: Scope) -> Reader:
     """Return a function that reads a number as it is worked out; None: there is none."""
     if isinstance(amount, NumberValue):
-        return amount.number(to)
+        return to.by_role(amount, lambda one: one.number(to), None)
     constant = plain(amount) if isinstance(amount, int | float) else None
     return lambda _firing: constant
 

@@ -13,7 +13,7 @@ from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.roster import ALWAYS, BOUND, Roster, texts
 from rcj_challenges.scenario.tree import Entries, Items, Mark, Path, mark_of, node_at
 
-_SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
+_SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups", "roles")
 """What a group may gather, and groups: wherever one of them is named, another may be."""
 _RESERVED = frozenset({*ALWAYS, *BOUND})
 _FAMILIES = dict.fromkeys(("robot", "ball", "obstacle", "fixed obstacle", "walls"), "robot, ball or obstacle")
@@ -28,6 +28,8 @@ def check_naming(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) ->
         if name in roster.names("entrants"):
             message = f"'{name}' is an entrant, and its score is read under this name"
             yield issue(NAME_TAKEN, ("counters", name), message, "choose another name", at_key=True)
+    for name in set(roster.names("roles")) & set(roster.names("draws")):
+        yield issue(NAME_TAKEN, ("roles", name), f"'{name}' is a draw already", "choose another name", at_key=True)
     if "any" in roster.names("phases"):
         yield issue(NAME_TAKEN, ("phases", "any"), "'any' means all phases", "choose another name", at_key=True)
     yield from _groups(root, roster, removed)

@@ -146,7 +146,7 @@ class _Walker:
 
     def _members(self, names: Node | None, scope: Scope) -> tuple[str, ...]:
         """Return the members that names stand for: groups expanded, ``each`` and ``other`` replaced."""
-        found = ((scope.of(name) or ()) if self._is_bound(name) else self.roster.expand(name) for name in texts(names))
+        found = ((scope.of(name) or ()) if self._is_bound(name) else self.roster.may_be(name) for name in texts(names))
         return tuple(one for members in found for one in members)
 
     # --- one name -----------------------------------------------------------------------------------------------------
@@ -156,10 +156,11 @@ class _Walker:
         roster = self.roster
         if name in reference.words:
             return self._receiver(name, scope) if self._is_bound(name) else None
+        if name in roster.roles and (isinstance(reference, Ref) or EACH in reference.words):
+            return self._role(reference, name, path)
         if isinstance(reference, SectionRef):
-            if not any(name in roster.names(section) for section in reference.sections):
-                return self._unknown(reference, name, path)
-            return None
+            is_known = any(name in roster.names(section) for section in reference.sections)
+            return None if is_known else self._unknown(reference, name, path)
         if self._is_bound(name):
             unbound = self._unbound(reference, name, path, scope)
             if unbound:
@@ -176,6 +177,18 @@ class _Walker:
             message = f"'{name}' is a group; expected {_with_a(reference.noun)}"
             return codes.WRONG_KIND, message, f"name one of {listing(roster.groups[name])}"
         return self._wrong_kind(reference, name, roster.groups.get(name, (name,)))
+
+    def _role(self, reference: Reference, name: str, path: Path) -> _Wrong | None:
+        """Return the mistake of a role that stands for a name."""
+        members = self.roster.roles[name]
+        if path[0] not in ("rules", "broadcast") and path[2:3] != ("while",):
+            return codes.UNBOUND_NAME, f"the role '{name}' can only be used in rules and broadcasts", ""
+        if isinstance(reference, SectionRef):
+            return None if set(members) <= set(self.roster.teams) else self._receiver(name, Scope(members))
+        is_of_entrants = bool(set(members) & set(self.roster.teams)) and "entrant" not in reference.kinds
+        if not reference.takes_roles or is_of_entrants:
+            return codes.WRONG_KIND, f"'{name}' is a role; expected {_with_a(reference.noun)}", ""
+        return self._wrong_kind(reference, name, members)
 
     def _is_bound(self, name: str) -> bool:
         return name in BOUND or self.roster.is_others(name)
@@ -218,6 +231,7 @@ class _Walker:
             words = sorted(reference.words - {"any", *BOUND})
             return [*words, *(name for section in reference.sections for name in roster.names(section))]
         several = {**(roster.groups if reference.groups else {}), **(roster.drawn if reference.drawn else {})}
+        several |= roster.roles if reference.takes_roles else {}
         fitting = (
             name
             for name, members in several.items()
@@ -241,8 +255,11 @@ class _Walker:
     # --- values of draws ----------------------------------------------------------------------------------------------
 
     def _values_of(self, draw: Node | None) -> list[tuple[Path, Leaf]]:
-        """Return the values among which a draw decides, with their places."""
-        path = ("draws", *texts(draw)[:1], "values")
+        """Return the values among which a draw decides, with their places, or the members of a role."""
+        name = next(iter(texts(draw)), "")
+        if name in self.roster.roles:
+            return [(("roles", name), Leaf(one, self.root.mark)) for one in self.roster.roles[name]]
+        path = ("draws", name, "values")
         values = node_at(self.root, path)
         listed = enumerate(values.items if isinstance(values, Items) else ())
         return [((*path, i), one) for i, one in listed if isinstance(one, Leaf) and one.value is not None]
@@ -273,7 +290,9 @@ class _Walker:
     def _decided(self, key: str, node: Entries, path: Path, scope: Scope, *, is_set: bool) -> None:
         """Check the value of a draw that a rule asks for or sets: ``each`` and ``other`` are names if it has them."""
         value, at = node.entries.get(key), (*path, key)
-        known = [one.value for _, one in self._values_of(node.entries.get("draw"))]
+        role = node.entries.get("role")
+        known = [one.value for _, one in self._values_of(role or node.entries.get("draw"))]
+        known += ["none", "next"][: 1 + is_set] if role is not None else []
         name = str(value.value) if isinstance(value, Leaf) else ""
         members = scope.of(name)
         if name not in BOUND or name in known:
@@ -287,6 +306,9 @@ class _Walker:
 
     def _decided_by_test(self, test: Entries, path: Path) -> None:
         """Check the values of draws that a test decides: one, or several in order."""
+        for at, block in ((path, test), ((*path, "given"), test.entries.get("given"))):
+            for name, value in _entries(child(block, "roles")):
+                self._among([*self.roster.roles.get(name, ()), "none"], value, (*at, "roles", name))
         for name, value in _entries(test.entries.get("draws")):
             known = [one.value for _, one in self._values_of(Leaf(name, value.mark))]
             at = (*path, "draws", name)
@@ -331,7 +353,7 @@ class _Walker:
         kept = ((key, name) for key in _KEPT if key in fields(model) for name in texts(node.entries.get(key)))
         for key, name in kept if owner in fields(model) else ():
             self._owner(key, name, owner, model, node, path, scope)
-        for name, info in model.model_fields.items() if "draw" in node.entries else ():
+        for name, info in model.model_fields.items() if {"draw", "role"} & node.entries.keys() else ():
             if (mark := drawn_value(model, name)) is not None:
                 self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
         over = getattr(model, "OVER", "")
@@ -475,6 +497,4 @@ def _entries(node: Node | None) -> Iterable[tuple[str, Node]]:
 
 
 def _with_a(noun: str) -> str:
-    if noun == "walls":
-        return "the walls"
-    return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"
+    return "the walls" if noun == "walls" else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"

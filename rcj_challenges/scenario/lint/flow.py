@@ -112,7 +112,7 @@ class ScoresOnce(LintRule, code="scores-once"):
             for index, moment in enumerate(trigger.moment() for trigger in triggers):
                 if not isinstance(moment, effects.Entry | effects.Exit | effects.Crossing):
                     continue
-                if len(ctx.members(moment.entity, rule)) > 1:
+                if moment.entity not in ctx.roster.roles and len(ctx.members(moment.entity, rule)) > 1:
                     group = moment.entity if isinstance(moment.entity, str) else listing(moment.entity)
                     yield self.at(("rules", name, "triggers", index), group=group)
 

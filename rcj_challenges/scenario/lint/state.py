@@ -19,14 +19,14 @@ _TESTS = (Expectation, MatchExpectation, Given, Keyframe)
 
 
 class NeverRead(LintRule, code="never-read"):
-    """A counter, flag, timer, draw, or spot that rules set, but on which nothing depends."""
+    """A counter, flag, timer, draw, role, or spot that rules set, but on which nothing depends."""
 
     message = "{noun} '{name}' is never read"
     help = "use it in a condition, an action, broadcast: or result:, or remove it"
     at_key = True
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
-        for section in ("counters", "flags", "timers", "draws"):
+        for section in ("counters", "flags", "timers", "draws", "roles"):
             for name in getattr(ctx.scenario, section):
                 if not _is_read(name, section, ctx):
                     yield self.at((section, name), noun=section[:-1], name=name)
@@ -37,7 +37,7 @@ class NeverRead(LintRule, code="never-read"):
 
 
 class NeverWritten(LintRule, code="never-written"):
-    """A counter, flag or timer that rules read but never change or start."""
+    """A counter, flag, timer or role that rules read but never change, start or assign."""
 
     message = "{noun} '{name}' is read and never {verb}"
     help = "add {{action: {action}, {noun}: {name}}} to a rule, or remove it"
@@ -47,6 +47,7 @@ class NeverWritten(LintRule, code="never-written"):
         "counters": ("count", "counted"),
         "flags": ("set_flag", "set"),
         "timers": ("timer", "started"),
+        "roles": ("assign", "assigned"),
     }
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
@@ -136,7 +137,8 @@ class InheritedTestLeftOut(LintRule, code="inherited-test-left-out"):
 
 
 def _runs_by_itself(entry: object) -> bool:
-    return bool(getattr(entry, "starts", False) or getattr(entry, "while_", None))
+    is_by_chance = getattr(entry, "order", None) == "random" and getattr(entry, "initial", None) is None
+    return bool(getattr(entry, "starts", False) or getattr(entry, "while_", None) or is_by_chance)
 
 
 def _uses_of(name: str, section: str, ctx: LintContext) -> list[Use]:
@@ -152,7 +154,7 @@ def _is_read(name: str, section: str, ctx: LintContext) -> bool:
 def _may_name(use: Use, section: str) -> bool:
     if isinstance(use.reference, SectionRef):
         return section in use.reference.sections
-    return section == "draws" and use.reference.drawn
+    return use.reference.takes_roles if section == "roles" else section == "draws" and use.reference.drawn
 
 
 def _names_on_field(ctx: LintContext) -> set[str]:

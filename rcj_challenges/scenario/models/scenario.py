@@ -18,7 +18,7 @@ from rcj_challenges.scenario.models.guidelines import Guideline
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
 from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot
-from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
+from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Role, Sequence, Timer
 
 SCHEMA_VERSION = 2
 MAX_GROUPS = 256
@@ -38,6 +38,7 @@ _Times = Annotated[int, Field(ge=1)]
 
 _COUNTERS = SectionRef("counter", ("counters",), keys=True)
 _FLAGS = SectionRef("flag", ("flags",), keys=True)
+_ROLES = SectionRef("role", ("roles",), keys=True)
 _SCORES = SectionRef("entrant", ("entrants",), keys=True)
 
 
@@ -250,6 +251,7 @@ class Given(Strict):
         "flag -> true or false (for a per-entity flag: of all members), or {entity: true or false, …}; if "
         "omitted: its initial value",
     )
+    roles: Annotated[dict[Name, Name], _ROLES] = described({}, "role -> the member that has it, or none")
 
 
 Ranking = Annotated[
@@ -267,11 +269,11 @@ class Expectation(Strict):
     half: int = described(1, "the half that is played; entrants keep their names in all halves", ge=1)
     draws: Annotated[
         dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False, min_length=1)]],
-        SectionRef("draw", ("draws",), keys=True),
+        SectionRef("draw or role", ("draws", "roles"), keys=True),
     ] = described(
         {},
-        "results of draws: a value is kept until a rule draws again; with a list, each draw takes the next "
-        "value, and after the last one, draws are random",
+        "results of draws, and of roles by chance: a value is kept until a rule draws again; with a list, each draw "
+        "takes the next value, and after the last one, draws are random",
     )
     spots: Annotated[
         dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None,
@@ -303,6 +305,7 @@ class Expectation(Strict):
     flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
         {}, "flags at the end; for a per-entity flag, whether any is set, or {entity: true or false, …}"
     )
+    roles: Annotated[dict[Name, Name], _ROLES] = described({}, "role -> the member that has it at the end, or none")
     phase: Annotated[Name | None, PHASE] = described(None, "the phase at the end")
     ranking: Annotated[Ranking | None, ENTRANT] = described(
         None,
@@ -409,6 +412,7 @@ class Scenario(Strict):
         described({}, "several robots, balls, obstacles, zones, gates or spots under one name", max_length=MAX_GROUPS)
     )
     draws: dict[Name, Draw] = described({}, "random choices")
+    roles: dict[Name, Role] = described({}, "names for those that are meant now; rules assign them")
     counters: dict[Name, Counter] = described({}, "numbers that rules change")
     flags: dict[Name, Flag] = described({}, "yes/no values that rules set")
     timers: dict[Name, Timer] = described({}, "clocks that rules start")

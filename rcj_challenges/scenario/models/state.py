@@ -5,8 +5,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rcj_challenges.rules.conditions import AnyCondition
-from rcj_challenges.rules.fields import Name, Scalar, Strict, described
-from rcj_challenges.rules.refs import KEEP, KEEPERS, MEMBERS, ONE_ENTITY, PHASE, STEP
+from rcj_challenges.rules.fields import Name, Names, Scalar, Strict, described
+from rcj_challenges.rules.refs import KEEP, KEEPERS, MEMBERS, ONE_ENTITY, PHASE, ROLE_OF, STEP
 from rcj_challenges.rules.values import Lasts
 
 _KEEP = (
@@ -36,6 +36,33 @@ class Draw(Strict):
         "a value set by a rule counts as drawn; if omitted: every draw uses all values",
     )
     keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half and is not redrawn")
+
+
+class Role(Strict):
+    """A name for the one of several that is meant now: it may stand wherever one of them may, in rules.
+
+    While it stands for nothing, a condition that names it is false, and an action does nothing.
+    """
+
+    of: Annotated[Names, ROLE_OF] = Field(
+        ..., description="those that may have it: robots, balls, obstacles, zones, gates or spots, or groups of them"
+    )
+    order: Literal["random", "listed"] = described(
+        "random",
+        "random: at the start, and at every assign, each is equally likely; listed: the first, then one by one",
+    )
+    cyclic: bool = described(False, "True: after the last one listed the first comes again; else it stands for nothing")
+    initial: Literal["none"] | None = described(None, "none: at the start it stands for nothing")
+    not_last: bool = described(False, "True: chance never brings the same one twice in a row")
+    not_again: Literal["half", "match"] | None = described(
+        None, "half: within a half, chance brings no one again until all have come; match: the same across all halves"
+    )
+    keep: Annotated[Name | None, KEEP] = described(None, _KEEP.format("", "; if omitted: half"))
+
+    def draw(self, members: tuple[str, ...]) -> Draw:
+        """Return the draw that chooses by chance among its members."""
+        keep: Literal["half", "match"] = "match" if self.keep == "match" else "half"
+        return Draw.model_construct(values=members, not_last=self.not_last, not_again=self.not_again, keep=keep)
 
 
 class Counter(Strict):

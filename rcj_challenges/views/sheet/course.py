@@ -11,7 +11,7 @@ from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.rules.values import duration_words, is_calculated, value_words
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
+from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Role, Sequence, Timer
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
@@ -35,6 +35,7 @@ def course_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         *(_kept_words(phrases, "counter", name, one) for name, one in scenario.counters.items()),
         *(_kept_words(phrases, "flag", name, one) for name, one in scenario.flags.items()),
         *(_draw_words(phrases, name, draw) for name, draw in scenario.draws.items()),
+        *(_role_words(phrases, name, role) for name, role in scenario.roles.items()),
         *(_sequence_words(phrases, name, sequence) for name, sequence in scenario.sequences.items()),
     ]
     if entries:
@@ -105,6 +106,20 @@ def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
         (", and again when a rule says so" if True in by_rules else "", "; rules also set it" * (False in by_rules))
     )
     return f"Chance decides {quoted_measure(name)} {keep}{also}: {values}{again}."
+
+
+def _role_words(phrases: Phrasebook, name: str, role: Role) -> str:
+    members = [phrases.thing(one) for one in phrases.roster.roles[name]]
+    which, begins = quoted_measure(name), _begin_words(phrases, role.keep)
+    if role.initial is not None:
+        return f"Nothing is {which} when {begins}; rules say when that is {listed(members, 'or')}."
+    if role.order == "listed":
+        after = "and again from the first" if role.cyclic else "then nothing"
+        return f"When {begins}, {which} is {members[0]}; rules say when the next one is: {', '.join(members)}, {after}."
+    again = ", never the same twice running" if role.not_last else ""
+    if role.not_again is not None:
+        again += f"; in {phrases.period.a if role.not_again == 'half' else 'the match'} all come before one comes again"
+    return f"Chance decides {which} when {begins}, and whenever rules say so: {listed(members, 'or')}{again}."
 
 
 def _sequence_words(phrases: Phrasebook, name: str, sequence: Sequence) -> str:

@@ -62,7 +62,7 @@ class Phrasebook:
             return self._place_drawn(name) or self.what_drawn(name)
         kind, first = _kind(self.scenario, name), name.lower().partition("_")[0]
         if kind in ("", "robot"):
-            return plain(name)
+            return f"the {plain(name)}" if name in self.scenario.roles else plain(name)
         is_bare = kind != "zone" and kind not in name.lower()
         if is_bare or len(name) <= _SHORT or first in _WITHOUT_ARTICLE:
             return f"the {kind} {quoted(name)}"
@@ -142,6 +142,9 @@ class Phrasebook:
             return plain(name)
         if name == ENTRANTS:
             return "each team"
+        if name in self.scenario.roles:
+            is_team = set(self.roster.roles[name]) <= set(self.roster.teams)
+            return self.thing(name) if is_team else f"the team of {self.thing(name)}"
         if self.each != ENTRANTS or name == OTHER:
             return "its team" if name == "each" else f"the team of {self.thing(name)}"
         return "this team" if name == "each" else self._group(name)

@@ -1,0 +1,50 @@
+"""The condition ``role``."""
+
+from typing import Annotated
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
+from rcj_challenges.rules.fields import Name, Scalar, described
+from rcj_challenges.rules.phrasing import quoted_measure
+from rcj_challenges.rules.refs import ROLE, DrawnValue
+
+
+class RoleIs(Condition):
+    """Which of its members has a role."""
+
+    role: Annotated[Name, ROLE] = described(..., "a role")
+    equals: Annotated[Scalar, DrawnValue()] = described(
+        ...,
+        "the member that must have it; each: the name of the for_each member; other: the touched thing; none: no one",
+    )
+
+    KEY = "role"
+    EXAMPLE = """
+roles: {hunter: {of: robots, order: listed, initial: none}}
+rules:
+  first:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: ball}]
+    conditions: [{role: hunter, equals: none}]
+    actions: [{action: assign, role: hunter, to: each}]
+  again:
+    priority: 1
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: ball}]
+    conditions: [{role: hunter, equals: each}]
+    actions: [{action: score, entrant: each}]
+expect:
+  the_first_to_touch_the_ball_gets_points_for_it:
+    keyframes: [{at_s: 1, touch: [[Y2, ball]]}, {at_s: 2, touch: [[B1, ball]]}, {at_s: 3, touch: [[Y2, ball]]}]
+    lasts_s: 4
+    score: {yellow: 2, blue: 0}
+"""
+    SENTENCE = "nothing is “hunter”"
+
+    def test(self, to: Binder) -> Test:
+        draws, name = to.state.draws, self.role
+        wanted = None if self.equals == "none" else to.drawn_value(self.equals)
+        return lambda: draws[name] == wanted
+
+    def describe(self, phrases: Phrases) -> str:
+        who = "nothing" if self.equals == "none" else phrases.thing(str(self.equals))
+        return f"{who} is {'not ' if self.negate else ''}{quoted_measure(self.role)}"
