@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from datetime import timedelta
 from pathlib import Path
 from typing import Any
@@ -46,43 +46,40 @@ def play_event(request: Mapping[str, Any], write: Callable[[dict[str, Any]], Non
         return {"failed": watch.failed, **watch.publish()}
 
 
+@dataclass
 class _Watch:
     """Publishes the tournament while it is played, and reports its progress."""
 
-    def __init__(
-        self,
-        loaded: LoadedTournament,
-        store: Store,
-        request: Mapping[str, Any],
-        write: Callable[[dict[str, Any]], None],
-    ) -> None:
-        self.failed: list[str] = []
-        self._loaded, self._store, self._request, self._write = loaded, store, request, write
-        self._published_at_s = 0.0
+    loaded: LoadedTournament
+    store: Store
+    request: Mapping[str, Any]
+    write: Callable[[dict[str, Any]], None]
+    failed: list[str] = field(default_factory=list)
+    published_at_s: float = 0.0
 
     def play(self) -> None:
         """Play all that is not played yet."""
-        tournament = OpenTournament(self._loaded, self._store)
+        tournament = OpenTournament(self.loaded, self.store)
         teams = tournament.season.teams
-        staying = [one for one in self._loaded.entries.values() if not teams[one.id].withdrawn]
-        handed = take_submissions(staying, self._store)
-        if other := [one.team for one in handed.values() if one.archive != self._request["hashes"][one.team]]:
+        staying = [one for one in self.loaded.entries.values() if not teams[one.id].withdrawn]
+        handed = take_submissions(staying, self.store)
+        if other := [one.team for one in handed.values() if one.archive != self.request["hashes"][one.team]]:
             message = f"the archive of {', '.join(other)} is not the one that was frozen"
             raise SiteError(message, "copy it from a backup into the folder of the event", code=EVENT_CHANGED)
         tournament.refresh()
-        jobs = JobMaker(tournament, self._store.current_submissions() | handed, self._request["sandbox"])
+        jobs = JobMaker(tournament, self.store.current_submissions() | handed, self.request["sandbox"])
         reconcile(tournament, jobs, cascade=False)
-        Runner(tournament, jobs, LocalExecutor(self._store.place, self._request["lanes"]), self).run()
+        Runner(tournament, jobs, LocalExecutor(self.store.place, self.request["lanes"]), self).run()
 
     def publish(self) -> dict[str, Any]:
         """Write the site; return whether all is played, and when there will be something new to be shown."""
-        tournament, now = OpenTournament(self._loaded, self._store), utc_now()
-        premieres = [name for name, stage in self._loaded.tournament.stages.items() if stage.release is not None]
-        source = site_source(tournament, now, premieres, self._request["url"])
-        publish(replace(source, **self._request["site"]), self._store.place.folder, may_shrink=True)
-        state, times = tournament.state(), release_times(self._loaded.tournament, tournament.state())
+        tournament, now = OpenTournament(self.loaded, self.store), utc_now()
+        premieres = [name for name, stage in self.loaded.tournament.stages.items() if stage.release is not None]
+        source = site_source(tournament, now, premieres, self.request["url"])
+        publish(replace(source, **self.request["site"]), self.store.place.folder, may_shrink=True)
+        state, times = tournament.state(), release_times(self.loaded.tournament, tournament.state())
         hidden = [at for one, at in times.items() if one in state.outcomes and one not in source.state.outcomes]
-        self._published_at_s = time.monotonic()
+        self.published_at_s = time.monotonic()
         return {
             "is_over": all(stage.status == "finished" for stage in state.stages),
             "publish_at": max(min(hidden), now + _PREMIERE).isoformat() if hidden else None,
@@ -90,8 +87,8 @@ class _Watch:
 
     def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:
         """Report how many matches are played."""
-        self._write({"stage": f"{progress.done}/{progress.done + progress.left}"})
-        if time.monotonic() > self._published_at_s + _PUBLISHED_EVERY_S:
+        self.write({"stage": f"{progress.done}/{progress.done + progress.left}"})
+        if time.monotonic() > self.published_at_s + _PUBLISHED_EVERY_S:
             self.publish()
 
     def not_played(self, fixture: Fixture, complaint: str) -> None:

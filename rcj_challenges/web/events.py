@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import secrets
 import shutil
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from datetime import datetime
 from itertools import groupby
 from pathlib import Path
@@ -23,7 +24,7 @@ from rcj_challenges.web.models import Event, Job, JobState, Season, State, Submi
 from rcj_challenges.web.tables import standings_of
 
 if TYPE_CHECKING:
-    from rcj_challenges.tournament.load import LoadedTournament
+    from rcj_challenges.tournament.opened import OpenTournament
 
 FILE, DATA, HASHES = "tournament.yaml", "tournament_data", "hashes.txt"
 _SEED_BYTES = 16
@@ -134,6 +135,38 @@ def pause(event: Event) -> None:
     Job.objects.filter(event=event).update(state=JobState.DONE, worker="", lease_until=None)
 
 
+def unfinished(team: Team) -> Event | None:
+    """Return an event in which a team is playing at this time."""
+    found = (one for one in Event.objects.exclude(frozen=[]) if any(playing == team.pk for playing, *_ in one.frozen))
+    return next((one for one in found if has_begun(one) and (one.plays or one.played_at is None)), None)
+
+
+def forget(team: Team, name: str, now: datetime) -> None:
+    """Remove what events keep of a team that was deleted, also its name; results stay. Called inside `jobs.writing`."""
+    from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415 - loads the code of tournaments
+
+    for event in Event.objects.exclude(frozen=[]).select_related("season"):
+        hashes = {one: sha256 for one, sha256, _ in event.frozen}
+        if team.pk not in hashes:
+            continue
+        sha256, data = hashes.pop(team.pk), event_folder(event) / DATA
+        if not has_begun(event):
+            (event_folder(event) / _archive(team.pk)).unlink(missing_ok=True)
+            event.frozen = [one for one in event.frozen if one[0] != team.pk]
+            event.save(update_fields=("frozen",))
+            write(event)
+            continue
+        (event_folder(event) / _archive(team.pk)).write_bytes(b"")  # the tournament file names it
+        with Store(data, writing=True) as store:
+            for job in store.rename(sha256, name, team.public_name):
+                shutil.rmtree(store.place.record_of(job), ignore_errors=True)
+        if sha256 not in hashes.values():
+            (data / "submissions" / f"{sha256}.zip").unlink(missing_ok=True)
+        for shown in ("site", "for_teams", "premieres", "organizer"):  # they are published again at once
+            shutil.rmtree(data / shown, ignore_errors=True)
+        Event.objects.filter(pk=event.pk).update(publish_at=now)
+
+
 # --- the folder -------------------------------------------------------------------------------------------------------
 
 
@@ -156,15 +189,20 @@ def _archive(team: int) -> str:
     return f"frozen/team{team}.zip"
 
 
-def loaded(event: Event) -> LoadedTournament:
-    """Return the tournament of an event.
+@contextmanager
+def opened(event: Event, *, writing: bool) -> Iterator[OpenTournament]:
+    """Open the tournament of an event.
 
     Raises:
-        TournamentFileError: its formats do not fit its teams.
+        DiagnosticError: its formats do not fit its teams, or its matches are being played, and it is to be written.
     """
     from rcj_challenges.tournament.load import load_tournament  # noqa: PLC0415 - loads the code of scenarios
+    from rcj_challenges.tournament.opened import OpenTournament  # noqa: PLC0415
+    from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415
 
-    return load_tournament(event_folder(event) / FILE)
+    loaded = load_tournament(event_folder(event) / FILE)
+    with Store(event_folder(event) / DATA, writing=writing) as store:
+        yield OpenTournament(loaded, store)
 
 
 def _tournament(event: Event) -> dict[str, Any]:

@@ -20,7 +20,7 @@ from django.utils import timezone
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.web import deadlines, dispatcher, events, jobs
 from rcj_challenges.web.config import SiteConfig
-from rcj_challenges.web.models import Event, Job, JobState, Season, Submission
+from rcj_challenges.web.models import Event, Job, JobState, Season, Submission, Team
 from tests.checker.small_team import PLAYER
 from tests.web.club import new_client
 from tests.web.conftest import COMMAND, Served, make_team, use_site
@@ -99,6 +99,36 @@ def test_event_is_played_and_published_and_a_ruling_is_shown(site: SiteConfig) -
     days = anyone.get("/calendar.ics").content.decode()
     assert f"UID:event{event.pk}@club.rcj-challenges\r\n" in days
     assert f"DTSTART:{event.deadline:%Y%m%dT%H%M%SZ}\r\n" in days
+
+
+def test_of_a_team_that_is_deleted_results_stay_and_nothing_else(site: SiteConfig) -> None:
+    client = organizer()
+    event = make_frozen(site, 3, finalists=0)
+    first, second, third = Team.objects.order_by("pk")
+    Team.objects.update(is_name_public=True)
+
+    def delete(team: Any) -> int:
+        return int(client.post(f"/group/teams/{team.pk}/delete", {"confirm": team.name, "reason": "1"}).status_code)
+
+    assert delete(third) == 302  # before the matches it just does not play
+    assert set(frozen()) == {first.pk, second.pk}
+    client.post(f"/desk/events/{event.pk}/change", {"act": "play"})
+    folder = events.event_folder(event)
+    assert work(site)
+    with use_store(event) as store:
+        before = store.played()
+    Event.objects.update(plays=True)
+    assert delete(first) == 409
+    Event.objects.update(plays=False)
+    assert any(first.name.encode() in path.read_bytes() for path in folder.rglob("*") if path.is_file())
+    assert delete(first) == 302
+    assert work(site), Job.objects.get(event=event).error
+    left = [path for path in folder.rglob("*") if path.is_file() and b"Team 0" in path.read_bytes()]
+    assert left == []
+    assert hash_of(tiny(0)) not in {hash_of(path.read_bytes()) for path in folder.rglob("*.zip")}
+    assert f"deleted team {first.pk}" in new_client().get(f"/events/{event.pk}/index.html").content.decode()
+    with use_store(event) as store:
+        assert store.played() == before
 
 
 def use_store(event: Event) -> Store:

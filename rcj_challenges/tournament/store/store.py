@@ -193,6 +193,23 @@ class Store:
             _put(connection, JOB, **row._asdict())
             _count(connection, job, counts_for, at)
 
+    def rename(self, archive: str, old: str, new: str) -> list[str]:
+        """Give the team of a submission another name in all that is kept; return the ids of its jobs."""
+        with self.transaction() as connection:
+            connection.exec_driver_sql("PRAGMA secure_delete = ON")
+            connection.execute(sa.update(SUBMISSION).where(SUBMISSION.c.archive == archive).values(name=new))
+            found = [
+                row for row in connection.execute(sa.select(JOB.c.id, JOB.c.job)) if archive in json.dumps(row.job)
+            ]
+            for row in found:
+                job = {**row.job, "names": {seat: new if one == old else one for seat, one in row.job["names"].items()}}
+                job["seats"] = {
+                    seat: [{**one, "name": new if one["name"] == old else one["name"]} for one in programs]
+                    for seat, programs in job["seats"].items()
+                }
+                connection.execute(sa.update(JOB).where(JOB.c.id == row.id).values(job=job))
+            return [row.id for row in found]
+
     def note_files(self, job_id: str, files: Mapping[str, int]) -> None:
         """Note the files in the record of a job."""
         with self.transaction() as connection:

@@ -14,7 +14,7 @@ from django.utils import timezone
 from django.utils.translation import gettext
 
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.web import jobs, seasons
+from rcj_challenges.web import events, jobs, seasons
 from rcj_challenges.web.accounts import Viewer, give_card, write_audit
 from rcj_challenges.web.blobs import report_folder
 from rcj_challenges.web.config import current_site
@@ -88,7 +88,10 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
     if request.POST.get("confirm", "").strip() != found.name:
         text = gettext("Type the name of the team to confirm.")
         return message_page(request, 400, gettext("Not deleted"), text)
-    now = timezone.now()
+    if (event := events.unfinished(found)) is not None:
+        text = gettext("It plays in {event} at this time. Delete it when its matches are over.").format(event=event)
+        return message_page(request, 409, gettext("Not deleted"), text)
+    now, name = timezone.now(), found.name
     with jobs.writing():
         found.name, found.is_name_public, found.code_hmac, found.deleted_at = "", False, None, now
         found.epoch += 1
@@ -100,6 +103,7 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
         write_audit(viewer, "delete team", f"team {pk}", request.POST.get("reason", ""), now)
         _remove_files(found)
         seasons.forget(found)
+        events.forget(found, name, now)
     return redirect("group")
 
 

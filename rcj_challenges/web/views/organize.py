@@ -18,7 +18,7 @@ from rcj_challenges.web.models import Event, Job, Season
 from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.views.guards import only
 
-_FORM_TIME = "%Y-%m-%dT%H:%M"
+_TIME = forms.DateTimeInput({"type": "datetime-local"}, "%Y-%m-%dT%H:%M")
 _FILE_TIME = "%Y-%m-%d %H:%M"
 
 
@@ -26,10 +26,7 @@ class EventForm(forms.Form):
     """What an organizer chooses of an event. Times are in the zone of the site, and none that comes twice or never."""
 
     title = forms.CharField(label=gettext_lazy("Title"), max_length=80)
-    deadline = forms.DateTimeField(
-        label=gettext_lazy("Deadline"),
-        widget=forms.DateTimeInput({"type": "datetime-local"}, _FORM_TIME),
-    )
+    deadline = forms.DateTimeField(label=gettext_lazy("Deadline"), widget=_TIME)
     first = forms.ChoiceField(
         label=gettext_lazy("First stage"),
         choices=(
@@ -48,7 +45,7 @@ class EventForm(forms.Form):
     seeds = forms.IntegerField(label=gettext_lazy("Runs of a challenge"), min_value=1, max_value=1000, initial=5)
     premiere = forms.DateTimeField(
         label=gettext_lazy("First premiere of the last stage; empty: results are shown as soon as they are known"),
-        widget=forms.DateTimeInput({"type": "datetime-local"}, _FORM_TIME), required=False,
+        widget=_TIME, required=False,
     )  # fmt: skip
     minutes_between = forms.IntegerField(
         label=gettext_lazy("Minutes between premieres"), min_value=0, max_value=10_080, initial=30
@@ -108,44 +105,24 @@ def _initial(event: Event) -> dict[str, Any]:
 def _desk_page(
     request: HttpRequest, viewer: Viewer, event: Event, form: EventForm, status: int = 200
 ) -> HttpResponseBase:
-    values: dict[str, Any] = {
-        "event": event,
-        "form": form,
-        "error": "",
-        "state": None,
-        "rulings": [],
-        "job": None,
-        "now": timezone.now(),
-    }
-    values["has_begun"] = events.has_begun(event)
+    values: dict[str, Any] = {"event": event, "form": form, "error": "", "state": None, "rulings": []}
+    values |= {"has_begun": events.has_begun(event), "job": Job.objects.filter(event=event).first()}
     if event.frozen_at is None:
         values["pending"] = deadlines.pending(event).select_related("team").defer("report")[:50]
     else:
         try:
-            values |= _state(event) if values["has_begun"] else {"loaded": events.loaded(event)}
+            with events.opened(event, writing=False) as tournament:
+                values |= {"state": values["has_begun"] and tournament.state(), "rulings": tournament.rulings}
         except DiagnosticError as error:
             values["error"] = _words(error)
     return page(request, "desk_event.html", viewer, status, **values)
-
-
-def _state(event: Event) -> dict[str, Any]:
-    """Return the matches of an event, the rulings, and its job."""
-    from rcj_challenges.tournament.opened import OpenTournament  # noqa: PLC0415 - loads the code of tournaments
-    from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415
-
-    with Store(events.event_folder(event) / events.DATA, writing=False) as store:
-        tournament = OpenTournament(events.loaded(event), store)
-        state = tournament.state()
-        return {"state": state, "rulings": tournament.rulings, "job": Job.objects.filter(event=event).first()}
 
 
 @only("organizer", post=True)
 def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     """Note a ruling on a match, or that a team leaves, or take the last one back."""
     from rcj_challenges.tournament import rulings  # noqa: PLC0415 - loads the code of tournaments
-    from rcj_challenges.tournament.opened import OpenTournament  # noqa: PLC0415
     from rcj_challenges.tournament.played import RulingKind  # noqa: PLC0415
-    from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415
 
     event = get_object_or_404(Event.objects.select_related("season"), pk=pk)
     given = {key: str(value) for key, value in request.POST.items()}
@@ -154,14 +131,12 @@ def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     try:
         kind = RulingKind(given.get("kind", ""))
         scores = [float(int(one)) for one in given.get("score", "").split(":") if one.strip()]
-        with Store(events.event_folder(event) / events.DATA, writing=events.has_begun(event)) as store:
-            tournament = OpenTournament(events.loaded(event), store)
+        with events.opened(event, writing=events.has_begun(event)) as tournament:
             if fixture:
                 losers = [team] if kind == RulingKind.FORFEIT else ()
                 rulings.decide(tournament, fixture, kind, reason, losers=losers, scores=scores, cascade=is_cascade)
             else:
-                is_undone = kind == RulingKind.UNDONE
-                rulings.withdraw(tournament, team, reason, undo=is_undone, cascade=is_cascade)
+                rulings.withdraw(tournament, team, reason, undo=kind == RulingKind.UNDONE, cascade=is_cascade)
     except DiagnosticError as error:
         return message_page(request, 409, gettext("Not decided"), _words(error))
     except ValueError:
