@@ -255,7 +255,7 @@ def test_event_plays_exactly_the_published_hashes_when_it_is_frozen_while_upload
     folder: Callable[..., SiteConfig], serve: Callable[..., Served], monkeypatch: pytest.MonkeyPatch, is_played: bool
 ) -> None:
     config = folder(uploads_per_hour=1000, uploads_per_day=1000)
-    monkeypatch.setattr(deadlines, "_SLOW", timedelta(seconds=1))
+    monkeypatch.setattr(deadlines, "_SLOW", timedelta(seconds=6))
     with use_site(config):
         teams = [make_team(f"Team {number}") for number in range(4)]
         Season.objects.update(overrides=["match.half_s=1"])
