@@ -133,11 +133,9 @@ def written_others(rule: Rule) -> tuple[str, ...]:
 
 
 def for_other(rule: Rule, other: str) -> Rule:
-    """Return a rule with one name for ``other`` in its conditions and actions."""
-    names = {OTHER: other}
-    return rule.model_copy(
-        update={"conditions": with_names(rule.conditions, names), "actions": with_names(rule.actions, names)}
-    )
+    """Return a rule with one name for ``other`` in its limits, conditions and actions."""
+    named = ("triggers", "cooldown_s", "conditions", "actions")
+    return rule.model_copy(update={key: with_names(getattr(rule, key), {OTHER: other}) for key in named})
 
 
 def with_names(value: Any, names: Mapping[str, str]) -> Any:

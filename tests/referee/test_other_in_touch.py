@@ -102,6 +102,19 @@ class TestSeveralAtOnce:
         assert bumps(play) == [("B1", "Y1"), ("B2", "Y1"), ("Y1", "B1"), ("Y2", "B1")]
 
 
+def test_a_cooldown_may_be_a_number_of_the_one_that_was_touched(stage):
+    limit = "cooldown_s: {counter: bumped, entity: other}"
+    play = stage(BUMPS.replace("{per: robots}", "{per: robots, initial: 2}") % limit)
+    play.play()
+    touch(play, "B1", "Y1")
+    play.play(40)
+    touch(play, "B1", "Y1")
+    assert bumps(play) == [("B1", "Y1"), ("Y1", "B1")]
+    play.play(80)
+    touch(play, "B1", "Y1")
+    assert bumps(play) == [("B1", "Y1"), ("Y1", "B1")] * 2
+
+
 class TestWhatItMayStandFor:
     def test_without_for_each_it_is_the_one_that_was_touched(self, stage):
         play = stage("""
