@@ -104,7 +104,7 @@ class Stream:
                 message = {"type": "http.response.body", "body": body or _KEEP_ALIVE, "more_body": True}
                 async with asyncio.timeout(_STALLED_S):
                     await send(message)
-            if at == end and (await asyncio.wait({gone}, timeout=min(next_s - now_s, _KEEP_ALIVE_S)))[0]:
+            if at >= end and (await asyncio.wait({gone}, timeout=min(next_s - now_s, _KEEP_ALIVE_S)))[0]:
                 return
         await send({"type": "http.response.body", "body": b""})
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 import json
 import math
 import re
@@ -169,6 +170,27 @@ def test_latecomer_gets_what_was_shown_at_once_and_then_what_all_get(
     assert (over.watch(show, monkeypatch), over.status) == (whole, 200)
 
 
+def test_clock_that_is_set_back_stops_the_feed_and_not_the_server(
+    club: Club, site: SiteConfig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    show = put(club.rated)
+    one = Spectator(site, show.begins_at.timestamp() + 3.0)
+    send, waited = one._send, list[float]()
+
+    async def and_set_back(message: Any) -> None:
+        await send(message)
+        if len(one.received) == 1 and not waited:
+            waited.append(one.now_s)
+            one.now_s -= 2.2
+            calls = itertools.count()
+            one._front._stream._clock = lambda: one.now_s if next(calls) < 1000 else pytest.fail("it does not wait")
+
+    monkeypatch.setattr(one, "_send", and_set_back)
+    assert one.watch(show, monkeypatch) == (stage_folder(site.folder) / str(show.pk) / "feed").read_bytes()
+    assert waited
+    assert one.received[1][0] > waited[0]
+
+
 def test_what_asks_for_no_feed_is_refused(club: Club, site: SiteConfig, monkeypatch: pytest.MonkeyPatch) -> None:
     show = put(club.rated)
     for query in ("from=x", "from=-1", "from=1" + 20 * "0", "from=\u0661"):
@@ -264,6 +286,7 @@ def test_organizer_puts_matches_on_the_stage_and_takes_them_off(club: Club, site
     assert shows[1].begins_at == NOW.replace(year=2100)
     assert organizer.post(f"/desk/matches/{club.practice['own'].pk}/stage").status_code == 404
     assert organizer.post(f"/desk/matches/{club.rated.pk}/stage", {"after": "2100-99-99T00:00"}).status_code == 409
+    assert organizer.post(f"/desk/matches/{club.rated.pk}/stage", {"after": "9999-12-31T23:59:50"}).status_code == 409
     assert organizer.post(f"/desk/stage/{shows[0].pk}/take-off").status_code == 302
     assert [show.pk for show in Show.objects.all()] == [shows[1].pk]
     assert not (stage_folder(site.folder) / str(shows[0].pk)).exists()
