@@ -210,7 +210,8 @@ def _tournament(event: Event) -> dict[str, Any]:
     choices, season, path = event.choices, event.season, Path(event.season.scenario)
     scenario = str(path.resolve()) if path.is_file() else season.scenario
     names = {team.pk: team.public_name for team in Team.objects.filter(pk__in=[team for team, *_ in event.frozen])}
-    ranked = sum(place > 0 for *_, place in event.frozen)
+    order = sorted(event.frozen, key=lambda one: (one[2] == 0, one[2], one[0]))
+    ranked = sum(place > 0 for *_, place in order)  # places are of all programs of the ladder, pots of what plays
     size = max(choices["groups"], -(-ranked // _MOST_POTS)) if choices["first"] == "groups" else -(-ranked // _POTS)
     return {
         "tournament_version": 1,
@@ -221,8 +222,8 @@ def _tournament(event: Event) -> dict[str, Any]:
         "set": {path: yaml.safe_load(value) for path, _, value in (one.partition("=") for one in season.overrides)},
         "teams_folder": "frozen",
         "teams": {
-            f"team{team}": {"name": names[team], **({"pot": -(-place // size)} if place else {})}
-            for team, _, place in sorted(event.frozen, key=lambda one: (one[2] == 0, one[2], one[0]))
+            f"team{team}": {"name": names[team], **({"pot": 1 + number // size} if number < ranked else {})}
+            for number, (team, *_) in enumerate(order)
         },
         "tie_breaks": ["points", "goal_difference", "goals", "head_to_head", "lot"],
         "drawn": {"extra_time": {}},

@@ -79,14 +79,27 @@ def test_event_is_played_and_published_and_a_ruling_is_shown(site: SiteConfig) -
     for path in ("index.html", "certificates/groups.html", "schedule.ics", "feed.json", "style.css"):
         assert anyone.get(f"/events/{event.pk}/{path}").status_code == 200
     assert event.seed in anyone.get(f"/events/{event.pk}/about.html").content.decode()  # all is over
-    for path in (".made_from.json", "../store.sqlite", "../../tournament.yaml", "%2e%2e/store.sqlite", "x", "matches"):
+    for path in (
+        ".made_from.json",
+        "../store.sqlite",
+        "../../tournament.yaml",
+        "%2e%2e/store.sqlite",
+        "x",
+        "matches",
+        "%00",
+    ):
         assert anyone.get(f"/events/{event.pk}/{path}").status_code == 404
     with use_store(event) as store:
         (match,) = store.played()
     ruling = {"match": match, "kind": "corrected", "score": "7:1", "reason": "the judges saw it"}
-    for wrong, status in (("7", 409), ("x", 400), ("1:2:3", 409)):
+    for wrong, status in (("7", 409), ("x", 400), ("1:2:3", 409), (f"{9 * 10**400}:0", 400)):
         assert client.post(f"{desk}/rule", {**ruling, "score": wrong}).status_code == status
     assert client.post(f"{desk}/rule", {**ruling, "reason": ""}).status_code == 409
+    team = f"team{event.frozen[0][0]}"
+    for kind in ("replay", "corrected", "forfeit"):  # the match was forgotten: the team does not leave for it
+        forgotten = {**ruling, "match": "", "team": team, "kind": kind}
+        assert client.post(f"{desk}/rule", forgotten).status_code == 400
+    assert client.post(f"{desk}/rule", {**ruling, "team": team, "kind": "withdrawn"}).status_code == 400
     assert client.post(f"{desk}/rule", ruling).status_code == 302
     assert b"the judges saw it" in client.get(desk).content
     assert work(site)

@@ -15,7 +15,7 @@ from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.web import deadlines, events, jobs
 from rcj_challenges.web.config import SiteConfig
-from rcj_challenges.web.models import Event, Match, Season, State, Submission
+from rcj_challenges.web.models import Event, Job, JobState, Match, Season, State, Submission
 from tests.checker.small_team import PLAYER
 from tests.web.club import CHOICES, new_client
 from tests.web.conftest import NOW, make_team, use_site
@@ -234,6 +234,35 @@ def test_pots_follow_the_ladder(site: SiteConfig) -> None:
     assert [(name, one.pot) for name, one in teams.items()] == [(f"team{team}", pot) for team, pot in pots]
 
 
+def test_pots_are_of_what_plays_however_many_programs_the_ladder_has(site: SiteConfig) -> None:
+    teams = [make_team(name)[0] for name in "ABCD"]
+    for team in teams:
+        check(hand_in(site, team, team.name.encode()))
+    event = make_event(first="groups", groups=2)
+    frozen()
+    event.refresh_from_db()
+    places = (91, 3, 900, 40)
+    event.frozen = [(team, sha256, place) for (team, sha256, _), place in zip(event.frozen, places, strict=True)]
+    events.write(event)
+    found = load_tournament(events.event_folder(event) / events.FILE).entries
+    order = [teams[1], teams[3], teams[0], teams[2]]
+    assert [(name, one.pot) for name, one in found.items()] == [
+        (f"team{team.pk}", pot) for team, pot in zip(order, (1, 1, 2, 2), strict=True)
+    ]
+
+
+@pytest.mark.parametrize("zone", ["Pacific/Auckland", "America/New_York"])
+@pytest.mark.parametrize("wrong", ["0001-01-01T00:00", "0026-03-14T13:00", "9999-12-31T23:59"])
+def test_year_that_was_mistyped_is_refused(folder: Callable[..., SiteConfig], zone: str, wrong: str) -> None:
+    with use_site(folder(time_zone=zone)):
+        make_team()
+        client = organizer()
+        for name in ("deadline", "premiere"):
+            assert client.post("/desk/events/new", {**FORM, name: wrong}).status_code == 400
+        assert client.post("/desk/events/new", FORM).status_code == 302
+        assert new_client().get("/calendar.ics").status_code == 200
+
+
 def test_form_can_be_changed_until_the_matches_begin_and_the_deadline_until_it_has_passed(site: SiteConfig) -> None:
     for name in "ABCD":
         check(hand_in(site, make_team(name)[0], name.encode()))
@@ -253,6 +282,17 @@ def test_form_can_be_changed_until_the_matches_begin_and_the_deadline_until_it_h
 def test_format_that_the_scenario_does_not_have_is_refused(site: SiteConfig) -> None:
     make_team()
     assert organizer().post("/desk/events/new", {**FORM, "first": "challenge"}).status_code == 400
+
+
+@pytest.mark.parametrize("premiere", ["", "2026-03-15 18:00"])
+def test_number_of_matches_is_not_shown_before_a_premiere_as_extra_time_is_one(site: SiteConfig, premiere: str) -> None:
+    make_team()
+    event = make_event(premiere=premiere)
+    with jobs.writing():
+        jobs.enqueue("event", event.pk, NOW, event=event)
+    Job.objects.update(state=JobState.RUNNING, progress="11/12")
+    assert (b"11/12" in new_client().get(f"/events/{event.pk}").content) == (not premiere)
+    assert b"11/12" in organizer().get("/desk").content
 
 
 def test_folder_of_a_freeze_that_was_cut_off_is_written_later(

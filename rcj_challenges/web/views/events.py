@@ -69,9 +69,9 @@ def event_file(request: HttpRequest, pk: int, path: str = "") -> HttpResponseBas
     if not path:
         return redirect("event_file", pk=pk, path="index.html") if site.is_dir() else redirect("event", pk=pk)
     file = site / path
-    if any(part.startswith(".") for part in path.split("/")) or not file.resolve().is_relative_to(site.resolve()):
-        raise Http404
     try:
+        if any(part.startswith(".") for part in path.split("/")) or not file.resolve().is_relative_to(site.resolve()):
+            raise Http404
         answer = HttpResponse(file.read_bytes(), content_type=mimetypes.guess_type(path)[0] or "text/plain")
     except (OSError, ValueError) as error:
         raise Http404 from error

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
 from typing import Any
 
 from django import forms
+from django.core.validators import MaxValueValidator, MinValueValidator
 from django.http import HttpRequest, HttpResponseBase
 from django.shortcuts import get_object_or_404, redirect
 from django.utils import timezone
@@ -20,13 +22,14 @@ from rcj_challenges.web.views.guards import only
 
 _TIME = forms.DateTimeInput({"type": "datetime-local"}, "%Y-%m-%dT%H:%M")
 _FILE_TIME = "%Y-%m-%d %H:%M"
+_YEARS = (MinValueValidator(datetime(2000, 1, 1, tzinfo=UTC)), MaxValueValidator(datetime(2200, 1, 1, tzinfo=UTC)))
 
 
 class EventForm(forms.Form):
     """What an organizer chooses of an event. Times are in the zone of the site, and none that comes twice or never."""
 
     title = forms.CharField(label=gettext_lazy("Title"), max_length=80)
-    deadline = forms.DateTimeField(label=gettext_lazy("Deadline"), widget=_TIME)
+    deadline = forms.DateTimeField(label=gettext_lazy("Deadline"), widget=_TIME, validators=_YEARS)
     first = forms.ChoiceField(
         label=gettext_lazy("First stage"),
         choices=(
@@ -45,7 +48,7 @@ class EventForm(forms.Form):
     seeds = forms.IntegerField(label=gettext_lazy("Runs of a challenge"), min_value=1, max_value=1000, initial=5)
     premiere = forms.DateTimeField(
         label=gettext_lazy("First premiere of the last stage; empty: results are shown as soon as they are known"),
-        widget=_TIME, required=False,
+        widget=_TIME, required=False, validators=_YEARS,
     )  # fmt: skip
     minutes_between = forms.IntegerField(
         label=gettext_lazy("Minutes between premieres"), min_value=0, max_value=10_080, initial=30
@@ -130,6 +133,9 @@ def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     is_cascade = "cascade" in given
     try:
         kind = RulingKind(given.get("kind", ""))
+        if kind != RulingKind.UNDONE and (kind == RulingKind.WITHDRAWN) == bool(fixture):
+            text = gettext("Choose the match that it is about; no match if the team leaves the event.")
+            return message_page(request, 400, gettext("Not decided"), text)
         scores = [float(int(one)) for one in given.get("score", "").split(":") if one.strip()]
         with events.opened(event, writing=events.has_begun(event)) as tournament:
             if fixture:
@@ -139,7 +145,7 @@ def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
                 rulings.withdraw(tournament, team, reason, undo=kind == RulingKind.UNDONE, cascade=is_cascade)
     except DiagnosticError as error:
         return message_page(request, 409, gettext("Not decided"), _words(error))
-    except ValueError:
+    except (ValueError, OverflowError):
         return message_page(request, 400, gettext("Not decided"), gettext("Write a score as 2:1."))
     Event.objects.filter(pk=pk).update(publish_at=timezone.now())
     write_audit(viewer, "rule", f"{event}: {kind} {fixture or team}", reason, timezone.now())
