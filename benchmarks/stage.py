@@ -153,7 +153,7 @@ def _planned(folder: Path) -> tuple[str, dict[str, Any]]:
     stage.LEAD = timedelta(seconds=_LEAD_S)
     with jobs.writing():
         stage.take_off(Show.objects.all())
-    found = stage.put(stage.candidates(Season.objects.get())[0], timezone.now(), timezone.now(), is_chosen=True)
+    found = stage.schedule(stage.candidates(Season.objects.get())[0], timezone.now(), timezone.now(), is_chosen=True)
     assert found is not None
     release = json.loads((folder / "live" / str(found.pk) / "release.json").read_text(encoding="ascii"))
     return f"/live/{found.pk}/feed?from=0", release

@@ -53,7 +53,7 @@ def candidates(season: Season | None) -> list[Match]:
     return [match for match in last if (record_folder(site, match) / REPLAY).is_file()]
 
 
-def put(match: Match, after: datetime, now: datetime, *, is_chosen: bool) -> Show | None:
+def schedule(match: Match, after: datetime, now: datetime, *, is_chosen: bool) -> Show | None:
     """Put a match on the stage, at the first time after one when it is free.
 
     Args:
@@ -117,7 +117,7 @@ def fill(now: datetime) -> Show | None:
     found = [one for one in candidates(season) if one.blue.digest in playing and one.yellow.digest in playing]
     for match in sorted(found, key=order):
         with suppress(OSError, ValueError):  # its replay has just been dropped, or is damaged
-            return put(match, now, now, is_chosen=False)
+            return schedule(match, now, now, is_chosen=False)
     return None
 
 

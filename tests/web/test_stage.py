@@ -56,7 +56,7 @@ def another_match(config: SiteConfig, replay: Path, blue: Any, yellow: Any) -> A
 
 def put(match: Any, after_s: float = 0.0, *, is_chosen: bool = True) -> Show:
     found = Match.objects.get(pk=match.pk)
-    show = stage.put(found, NOW + timedelta(seconds=after_s), NOW, is_chosen=is_chosen)
+    show = stage.schedule(found, NOW + timedelta(seconds=after_s), NOW, is_chosen=is_chosen)
     assert show is not None
     return show
 

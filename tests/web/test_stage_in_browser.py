@@ -55,7 +55,7 @@ def put(club: Club, monkeypatch: pytest.MonkeyPatch, in_s: float) -> Show:
     """Put the match on the stage, alone, in so many seconds."""
     monkeypatch.setattr(stage, "LEAD", timedelta(seconds=in_s))
     stage.take_off(Show.objects.all())
-    show = stage.put(club.rated, timezone.now(), timezone.now(), is_chosen=True)
+    show = stage.schedule(club.rated, timezone.now(), timezone.now(), is_chosen=True)
     assert show is not None
     return show
 
@@ -126,7 +126,7 @@ def test_stage_without_barriers(
     served, made = club
     visitors = Visitors(browser, served.address)
     put(made, monkeypatch, 30.0)
-    stage.put(made.rated, timezone.now(), timezone.now(), is_chosen=True)
+    stage.schedule(made.rated, timezone.now(), timezone.now(), is_chosen=True)
     page = visitors.come({"width": width, "height": 740}, theme).page
     session = made.clients["organizer"].cookies["session"].value
     for address in ("/live", "/live?stage=1", "/desk/stage"):
