@@ -51,7 +51,7 @@ def _of_one(zone: models.Zone, name: str) -> Sampler:
             case models.RectZone(x_min_m=float() | int() as x_0, x_max_m=float() | int() as x_1,
                                  y_min_m=float() | int() as y_0, y_max_m=float() | int() as y_1):  # fmt: skip
                 return lambda rng: (rng.uniform(x_0, x_1), rng.uniform(y_0, y_1))
-            case models.CircleZone(centre_m=centre, radius_m=radius):
+            case models.CircleZone(middle_m=centre, radius_m=radius):
                 return _circle_sampler(centre, radius)
             case models.PolygonZone(points_m=points):
                 return _polygon_sampler(points)

@@ -192,7 +192,7 @@ class NameScope:
                 return (*state.spots[spot], 0.0)
             return (state.seen or state.poses)[index] if state.present[index] else None
 
-        circle = AnchoredCircle(zone.centre_m, zone.radius_m, locate, () if index is None else (index,))
+        circle = AnchoredCircle(zone.middle_m, zone.radius_m, locate, () if index is None else (index,))
         return Outside(circle) if zone.inverted else circle
 
     def gate(self, name: str) -> GateLine:

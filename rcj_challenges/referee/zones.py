@@ -25,7 +25,7 @@ def region_of(zone: Strict) -> Outlined:
                 inf if zone.y_max_m is None else zone.y_max_m,
             )
         case CircleZone():
-            region = Circle(zone.centre_m, zone.radius_m)
+            region = Circle(zone.middle_m, zone.radius_m)
         case PolygonZone():
             region = Polygon(zone.points_m)
         case HalfPlaneZone():

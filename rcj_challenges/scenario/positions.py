@@ -62,7 +62,7 @@ def at_start(zone: Zone, scenario: Scenario) -> Zone:
         return zone
     spot = scenario.spots.get(zone.anchor)
     x, y, yaw = start_pose(scenario, zone.anchor) if spot is None else (spot.x_m, spot.y_m, 0.0)
-    (dx, dy), c, s = zone.centre_m, cos(yaw), sin(yaw)
+    (dx, dy), c, s = zone.middle_m, cos(yaw), sin(yaw)
     return zone.model_copy(update={"centre_m": (x + c * dx - s * dy, y + s * dx + c * dy)})
 
 

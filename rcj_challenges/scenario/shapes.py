@@ -69,7 +69,7 @@ def _whole_outline(zone: Zone) -> list[Point]:
         case RectZone():
             sides = (zone.x_min_m, -_FAR_M), (zone.y_min_m, -_FAR_M), (zone.x_max_m, _FAR_M), (zone.y_max_m, _FAR_M)
             return corners_of(*(far_m if side_m is None else side_m for side_m, far_m in sides))
-        case CircleZone(centre_m=(x, y), radius_m=radius_m):
+        case CircleZone(middle_m=(x, y), radius_m=radius_m):
             turns = (math.tau * k / _CIRCLE_CORNERS for k in range(_CIRCLE_CORNERS))
             return [(x + radius_m * math.cos(turn), y + radius_m * math.sin(turn)) for turn in turns]
         case PolygonZone():
@@ -137,8 +137,8 @@ def _shape_words(zone: Zone) -> str:
             sides = (_range_words("x", zone.x_min_m, zone.x_max_m), _range_words("y", zone.y_min_m, zone.y_max_m))
             return ", ".join(filter(None, sides)) or "everywhere"
         case CircleZone():
-            beside = f"{point_words(zone.centre_m)} from " if any(zone.centre_m) or zone.anchor is None else ""
-            of = f"{beside}{zone.anchor}" if zone.anchor else point_words(zone.centre_m)
+            beside = f"{point_words(zone.middle_m)} from " if any(zone.middle_m) or zone.anchor is None else ""
+            of = f"{beside}{zone.anchor}" if zone.anchor else point_words(zone.middle_m)
             return f"within {zone.radius_m:g} of {of}"
         case PolygonZone():
             return "polygon " + " ".join(map(point_words, zone.points_m))

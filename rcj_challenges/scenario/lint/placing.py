@@ -51,7 +51,7 @@ def _lies_beside(zone: Zone, floor: Sequence[Point]) -> bool:
         (px, py), (nx, ny) = zone.through_m, zone.normal
         return all((x - px) * nx + (y - py) * ny < 0 for x, y in floor)
     if isinstance(zone, CircleZone):
-        (x, y), r = zone.centre_m, zone.radius_m
+        (x, y), r = zone.middle_m, zone.radius_m
         return _are_beside([(x - r, y - r), (x + r, y + r)], floor)
     if isinstance(zone, RectZone):
         far = 100.0  # stands for a side that is open

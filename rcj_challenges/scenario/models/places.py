@@ -35,13 +35,22 @@ class CircleZone(_Zone):
     """A circle: all points closer to the centre than the radius."""
 
     shape: Literal["circle"]
-    centre_m: Point = described((0.0, 0.0), "centre, [x, y] in m; relative to the anchor if there is one")
+    REQUIRES = (("centre_m",), ("anchor",))
+
+    centre_m: Point | None = described(
+        None, "centre, [x, y] in m; relative to the anchor if there is one, and then at it if omitted"
+    )
     anchor: Annotated[Name | None, Ref("entity or spot", MOVING | {"spot"})] = described(
         None,
         "a spot at which the circle sits, or an entity with which it moves and turns: things enter it by its moving, "
         "and while that is off the field nothing is in it; if omitted: the circle is fixed",
     )
     radius_m: Positive = described(..., "radius in m")
+
+    @property
+    def middle_m(self) -> Point:
+        """The centre, relative to the anchor if there is one."""
+        return self.centre_m or (0.0, 0.0)
 
 
 class PolygonZone(_Zone):
