@@ -10,6 +10,7 @@ import re
 import shutil
 import struct
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from datetime import timedelta
 from pathlib import Path
 from typing import Any
@@ -98,7 +99,8 @@ class Spectator:
             return (set(some) if self.is_gone else set()), set()
 
         monkeypatch.setattr(asyncio, "wait", wait)
-        asyncio.run(self._front(scope, self._receive, self._send))
+        with ThreadPoolExecutor(1) as apart:  # a browser of other tests may run a loop in this thread
+            apart.submit(lambda: asyncio.run(self._front(scope, self._receive, self._send))).result()
         return b"".join(body for _, body in self.received if body != KEEP_ALIVE)
 
     async def _receive(self) -> Any:
