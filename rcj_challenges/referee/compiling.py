@@ -68,7 +68,7 @@ class CompileContext:
         clock.length = ticks_from_s(clock.length_s)
 
     def set_lengths(self) -> None:
-        """Give each timer the length that it has as the half starts, and let roles begin anew with their phases."""
+        """Give each timer the length that it has as the half starts, and reset roles with their phases."""
         for name, role in self.scenario.roles.items():
             self.state.anew_in(role.keep, partial(self.assign, name, partial(self.state.begin_role, name)))
         for name, clocks in self.state.timers.items():

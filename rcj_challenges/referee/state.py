@@ -57,12 +57,12 @@ class State(RefereeState):
         self._fill()
 
     def anew_in(self, keep: str | None, begin: Callable[[], None]) -> None:
-        """Let something begin anew with the phases for which it is kept."""
+        """Reset something with the phases for which it is kept."""
         if keep not in (None, "half", "match"):
             self._by_phase.append((keep, begin))
 
     def begin_phase(self, phase: str) -> bool:
-        """Let what is kept for this phase, or for each, begin anew; return whether anything does."""
+        """Reset what is kept for this phase, or for each; return whether anything is."""
         self.began_with["phase"].update(self.scores)
         found = [begin for keep, begin in self._by_phase if keep in ("phase", phase)]
         for begin in found:

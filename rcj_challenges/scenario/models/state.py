@@ -10,8 +10,8 @@ from rcj_challenges.rules.refs import KEEP, KEEPERS, MEMBERS, ONE_ENTITY, PHASE,
 from rcj_challenges.rules.values import Lasts
 
 _KEEP = (
-    "half: it begins anew in each half; match: it goes on in the next half{}; phase: it begins anew in each phase; the "
-    "name of a phase: it begins anew when that phase begins{}"
+    "half: it is reset in each half; match: it goes on in the next half{}; phase: it is reset in each phase; the "
+    "name of a phase: it is reset when that phase begins{}"
 )
 
 

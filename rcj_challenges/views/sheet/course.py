@@ -81,7 +81,7 @@ def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) 
 
 
 def _begin_words(phrases: Phrasebook, keep: str | None) -> str:
-    """Return when something begins anew that is kept for so long."""
+    """The moment at which something is reset that is kept for so long."""
     half, halves = phrases.period, phrases.scenario.match.halves
     if keep == "match" and halves > 1:
         return f"the match starts, and goes on from {half} to {half}"
@@ -97,15 +97,22 @@ def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
     values = listed(
         [f"{word} ({count} of {len(draw.values)})" if often else word for word, count in times.items()], "or"
     )
-    again = ", never the same twice running" if draw.not_last else ""
-    if draw.not_again is not None:
-        again += f"; in {phrases.period.a if draw.not_again == 'half' else 'the match'} all come before one comes again"
+    again = _again_words(phrases, draw)
     keep = "once a match" if draw.keep == "match" else f"when {phrases.period.a} starts"
     by_rules = {one.value is None for one in phrases.scenario.effects(Draws) if one.draw == name}
     also = "".join(
         (", and again when a rule says so" if True in by_rules else "", "; rules also set it" * (False in by_rules))
     )
     return f"Chance decides {quoted_measure(name)} {keep}{also}: {values}{again}."
+
+
+def _again_words(phrases: Phrasebook, drawn: Draw | Role) -> str:
+    again = ", never the same twice running" if drawn.not_last else ""
+    if drawn.not_again is not None:
+        again += (
+            f"; in {phrases.period.a if drawn.not_again == 'half' else 'the match'} all come before one comes again"
+        )
+    return again
 
 
 def _role_words(phrases: Phrasebook, name: str, role: Role) -> str:
@@ -116,9 +123,7 @@ def _role_words(phrases: Phrasebook, name: str, role: Role) -> str:
     if role.order == "listed":
         after = "and again from the first" if role.cyclic else "then nothing"
         return f"When {begins}, {which} is {members[0]}; rules say when the next one is: {', '.join(members)}, {after}."
-    again = ", never the same twice running" if role.not_last else ""
-    if role.not_again is not None:
-        again += f"; in {phrases.period.a if role.not_again == 'half' else 'the match'} all come before one comes again"
+    again = _again_words(phrases, role)
     return f"Chance decides {which} when {begins}, and whenever rules say so: {listed(members, 'or')}{again}."
 
 
