@@ -173,7 +173,7 @@ class Referee:
         state = self._state
         state.poses = state.before = list(snapshot.substeps[-1])
         state.uprights = snapshot.uprights
-        state.placed_at = [(x, y) for x, y, _ in state.poses]
+        state.placed_at = list(state.poses)
         self._pose_history.add(state.poses)
         self._context.set_lengths()
         self._clock_events.start()

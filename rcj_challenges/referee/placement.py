@@ -279,7 +279,7 @@ def apply_placements(done: list[_Done], state: State) -> list[Placement]:
             placements.append(Placement(entity, *poses[entity], parked=True))
             continue
         state.present[entity] = True
-        state.placed_at[entity] = (pose[0], pose[1])
+        state.placed_at[entity] = pose
         poses[entity] = pose
         uprights[entity] = 1.0
         placements.append(Placement(entity, *pose, vx_mps=vx_mps, vy_mps=vy_mps))

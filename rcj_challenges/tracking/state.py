@@ -55,7 +55,7 @@ class RefereeState:
         uprights: by entity, cosine of the tilt.
         present: by entity, whether it is on the field.
         held: which robots are held, by the phase or by rules, on the field or off it.
-        placed_at: by entity, [x, y] where it was last put, or started.
+        placed_at: by entity, the pose in which it was last put, or started.
         ways: by entity, how far it has driven or rolled in the half, in m; only entities that a rule asks about.
         spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
         scores: by entrant, as seated in this half.
@@ -85,7 +85,7 @@ class RefereeState:
         self.uprights: list[float] = []
         self.present = [True] * entities
         self.held = Held()
-        self.placed_at: list[tuple[float, float]] = []
+        self.placed_at: list[Pose2] = []
         self.messages: dict[str, str] = {}
         self.scores: dict[str, Number] = {}
         self.began_with: dict[str, dict[str, Number]] = {}

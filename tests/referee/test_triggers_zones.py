@@ -154,3 +154,50 @@ class TestTriggerDisplaced:
         assert event_ticks(play) == [1]
         place(play, "B1", 0.0, 0.36)
         assert event_ticks(play) == [1, 6]
+
+
+def turned(more: str) -> str:
+    return rule(
+        f"trigger: displaced, entity: B1, {more}", "{action: emit, event: TOLD, payload: {by: {word: measured}}}"
+    )
+
+
+class TestTriggerDisplacedByAnAngle:
+    """B1 starts at (0.4, 0.5), facing -1.57."""
+
+    @pytest.mark.parametrize(
+        ("more", "poses", "ticks"),
+        [
+            pytest.param("angle_rad: 0.5", [(0.4, 0.5, -1.08), (0.4, 0.5, -1.06), (0.4, 0.5, -1.0)], [2], id="once"),
+            pytest.param("angle_rad: 0.5", [(0.4, 0.5, -2.06), (0.4, 0.5, -2.08)], [2], id="the other way"),
+            pytest.param("angle_rad: 2", [(0.4, 0.5, 3.0), (0.4, 0.5, 2.0)], [2], id="the shorter way around"),
+            pytest.param("angle_rad: 0.5", [(0.9, 0.9, -1.57)], [], id="it may be anywhere"),
+            pytest.param("angle_rad: 0.5, distance_m: 0.05", [(0.5, 0.5, -1.57)], [1], id="either: the distance"),
+            pytest.param("angle_rad: 0.5, distance_m: 0.05", [(0.4, 0.5, 0.0)], [1], id="either: the angle"),
+            pytest.param("angle_rad: 0.5, distance_m: 0.05", [(0.4, 0.5, 0.0), (0.5, 0.5, 0.0)], [1], id="both: once"),
+            pytest.param("angle_rad: 0.5, from: [0, 0]", [(0.4, 0.5, 0.0)], [1], id="from where it was put"),
+        ],
+    )
+    def test_it_fires_where_it_has_turned_away(self, stage, more, poses, ticks):
+        play = stage(turned(more))
+        for pose in poses:
+            place(play, "B1", *pose)
+        assert event_ticks(play) == ticks
+
+    def test_a_placement_is_the_new_direction(self, stage):
+        play = stage(
+            turned("angle_rad: 0.5"),
+            once(2, "{action: place, entity: B1, at: {point: [0, 0.3]}, facing: 1}", name="put"),
+        )
+        play.play(2)
+        place(play, "B1", 0.0, 0.3, 0.6)
+        assert event_ticks(play) == []
+        place(play, "B1", 0.0, 0.3, 0.4)
+        assert event_ticks(play) == [4]
+
+    def test_only_a_distance_is_measured(self, stage):
+        play = stage(turned("angle_rad: 0.5, distance_m: 0.05"))
+        place(play, "B1", 0.4, 0.52, 0.0)
+        place(play, "B1", 0.4, 0.5, -1.57)
+        place(play, "B1", 0.4, 0.6, 0.0)
+        assert [one["by"] for one in payloads(play)] == [None, pytest.approx(0.1)]

@@ -50,6 +50,7 @@ BAD = [
      "conflicting-keys rules.r.actions[0] (count)"),
     (condition("distance: [ball, B1]"), "missing-key rules.r.conditions[0] (distance)"),
     (condition("score: blue"), "missing-key rules.r.conditions[0] (score)"),
+    (rule("{trigger: displaced, entity: ball, axis: either}"), "missing-key rules.r.triggers[0] (displaced)"),
     (rule("{trigger: holds, conditions: [{speed: ball}]}"),
      "missing-key rules.r.triggers[0] (holds).conditions[0] (speed)"),
     (condition("word: halftime"), "missing-key rules.r.conditions[0] (word)"),

@@ -22,7 +22,7 @@ STILL = "{trigger: holds, conditions: [{speed: each, at_most: 0.01}], for_s: 5%s
     ("triggers", "words"),
     [
         ("{trigger: enters, entity: Y1, zone: pitch}", "Y1"),
-        ("{trigger: displaced, entity: blue, distance_m: 0.1}", "One of the blue robots"),
+        ("{trigger: displaced, entity: blue, angle_rad: 0.1}", "One of the blue robots"),
         ("{trigger: enters, entity: Y1, zone: pitch}, {trigger: leaves, entity: ball, zone: pitch}", "Y1 or the ball"),
         ("{trigger: program_fault, robot: Y2}", "Y2"),
         ("{trigger: sequence_completed, sequence: way}", "Y3"),

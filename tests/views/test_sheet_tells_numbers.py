@@ -79,7 +79,7 @@ roles: {hunter: {of: [Y1, Y2, Y3], order: random}}
 broadcast: {fields: {version: 3}, only: {Y1: {version: 4}}}
 rules:
   put:
-    triggers: [{trigger: displaced, entity: ball, from: [0.15, 0.25], distance_m: 0.1}, {trigger: half_started}]
+    triggers: [{trigger: displaced, entity: ball, from: [0.15, 0.25], distance_m: 0.1, angle_rad: 0.6}, {trigger: half_started}]
     actions:
       - {action: place, entity: Y1, at: {furthest_free: neutral_spots, from: [0.1, 0.2]}, facing: {towards: [0.3, 0.4]}}
       - {action: place, entity: Y2, at: {nearest_free: neutral_spots, to: [0.1, 0.2]}}

@@ -4,19 +4,14 @@ from collections.abc import Callable
 from math import acos, cos, pi
 from typing import Annotated, Literal
 
-from pydantic import Field
-
-from rcj_challenges.rules.base import Binder, Phrases, Trigger, ValueWord
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.refs import Ref
-from rcj_challenges.rules.values import NUMBERS, compile_limit, limit_key, limit_words
+from rcj_challenges.rules.values import Angle, compile_limit, limit_key, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
-
-_ANGLES = NUMBERS.beside({"number": Annotated[float, Field(gt=0, lt=3.1416)]}, lambda _value: "number")
-_Angle = Annotated[float | ValueWord, _ANGLES]
 
 
 class TipsOver(Trigger):
@@ -33,7 +28,7 @@ class TipsOver(Trigger):
             instead="an obstacle does not tip over: of a movable one 'displaced' tells that it was pushed away",
         ),
     ] = described(..., "a robot, a group of robots (any member), or each")
-    angle_rad: _Angle = described(0.7854, "tilt of its vertical axis in rad, read when it is placed")
+    angle_rad: Angle = described(0.7854, "tilt of its vertical axis in rad, read when it is placed")
 
     MEASURED = "its tilt in rad"
     LIMIT = "angle_rad"

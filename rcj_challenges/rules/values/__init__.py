@@ -7,6 +7,8 @@ number.
 from collections.abc import Callable, Mapping
 from typing import Annotated, Any
 
+from pydantic import Field
+
 from rcj_challenges.rules.base import Binder, Firing, KeyedVocabulary, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, NotNegative, Positive, Scalar
 from rcj_challenges.rules.phrasing import seconds
@@ -59,7 +61,11 @@ DURATIONS = NUMBERS.beside({"number": DurationS}, lambda _value: "number", Drawn
 Lasts = Annotated[float | ValueWord, DURATIONS]
 """How long something lasts: a timer, a phase, or what a rule does for a time."""
 Limit = Annotated[float | ValueWord, NUMBERS.beside({"number": Positive}, lambda _value: "number")]
-"""A length or an angle that a trigger measures against."""
+"""A length that a trigger measures against."""
+Angle = Annotated[
+    float | ValueWord, NUMBERS.beside({"number": Annotated[float, Field(gt=0, lt=3.1416)]}, lambda _value: "number")
+]
+"""An angle that a trigger measures against, in rad."""
 Waits = Annotated[float | ValueWord, NUMBERS.beside({"number": NotNegative}, lambda _value: "number")]
 """How long a trigger waits, or overlooks something: also not at all."""
 
@@ -149,7 +155,7 @@ def limit_words(phrases: Phrases, limit: Amount, written: Callable[[float], str]
 
 
 __all__ = (
-    "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Lasts", "Limit", "Value", "Waits", "amount_words",
+    "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Angle", "Lasts", "Limit", "Value", "Waits", "amount_words",
     "compile_amount", "compile_duration", "compile_limit", "compile_value", "duration_words", "every_words",
     "is_calculated", "limit_key", "limit_words", "longest_s", "value_words",
 )  # fmt: skip

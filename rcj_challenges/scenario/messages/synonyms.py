@@ -17,7 +17,7 @@ _WORDS: dict[str, dict[str, str]] = {
         "exits outside out": "did you mean 'leaves'?",
         "collides contact hits bump kick": "did you mean 'touches'?",
         "passes line": "did you mean 'crosses', with a gate?",
-        "pushed moved": "did you mean 'displaced'?",
+        "pushed moved turned": "did you mean 'displaced'?",
         "stuck idle stopped": "'no_progress' notices what stands still, 'holds' with 'speed' what is slow",
         "timeout timer_ended": "did you mean 'timer_expired'?",
         "start begin kickoff match_start": "did you mean 'half_started'?",
