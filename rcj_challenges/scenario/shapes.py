@@ -13,6 +13,8 @@ Box = tuple[float, float, float, float]
 """Left, bottom, right and top, in m."""
 
 FORWARD_M = 0.05
+SPOT_M = 0.012
+"""Radius of a spot that is drawn on the field."""
 _FAR_M = 1e4
 """Where an open side ends: beyond all that is drawn."""
 _CIRCLE_CORNERS = 72

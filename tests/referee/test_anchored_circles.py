@@ -7,7 +7,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.shapes import zone_words
 from rcj_challenges.views.replay.things import visible_things
 from tests.referee.building import fail, on_fault
-from tests.scenario.writing import complaints, rule
+from tests.scenario.writing import complaints, rule, scenario
 
 GUARD = """
 zones:
@@ -115,12 +115,15 @@ def test_replay_leaves_out_circles_around_spots_that_rules_set(small):
 
 
 ZONE = "zones: {z: {shape: circle, anchor: %s, radius_m: 0.1%s}}\n"
+SET_SPOT = "spots: {mark: {x_m: 0, y_m: 0}}\n" + rule(action="{action: set_spot, spot: mark, to: ball}")
 
 
 @pytest.mark.parametrize(
     ("body", "expected"),
     [
         (ZONE % ("Y1", ", drawn: true"), "conflicting-keys zones.z.drawn"),
+        (SET_SPOT + ZONE % ("mark", ", drawn: true"), "conflicting-keys zones.z.drawn"),
+        (SET_SPOT.replace("0}", "0, drawn: true}"), "conflicting-keys spots.mark.drawn"),
         (ZONE % ("yellow", ""), "wrong-kind zones.z.anchor"),
         (ZONE % ("Y1", "") + rule(action="{action: place, entity: ball, at: {uniform_in: z}}"),
          "unbounded-zone rules.r.actions[0] (place)"),
@@ -128,3 +131,8 @@ ZONE = "zones: {z: {shape: circle, anchor: %s, radius_m: 0.1%s}}\n"
 )  # fmt: skip
 def test_mistake_in_an_anchored_circle(body, expected):
     assert complaints(body) == [expected]
+
+
+def test_circle_at_a_spot_that_no_rule_sets_may_be_drawn_on_the_field():
+    spots = "spots: {mark: {x_m: 0, y_m: 0, drawn: true, colour: red}}\n"
+    assert scenario(spots + ZONE % ("mark", ", drawn: true")).spots["mark"].drawn

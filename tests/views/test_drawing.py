@@ -128,6 +128,12 @@ def test_names_are_escaped():
 # --- zones and field --------------------------------------------------------------------------------------------------
 
 
+def test_spot_that_is_drawn_on_the_field_is_a_dot_in_its_colour():
+    picture = drawn("spots: {seen: {x_m: 0.1, y_m: 0, drawn: true, colour: red}, unseen: {x_m: 0, y_m: 0.2}}")
+    fills = {name: [one.get("fill") for one in titled(picture, name)] for name in ("seen", "unseen")}
+    assert fills == {"seen": ["#ff0000"], "unseen": [None, None]}
+
+
 @pytest.mark.parametrize(("colour", "stroke"), [("red", "#ff0000"), ("'#12ab34'", "#12ab34")])
 def test_zone_is_drawn_in_its_colour(colour, stroke):
     picture = drawn(f"zones: {{hill: {{shape: circle, centre_m: [0, 0], radius_m: 0.2, colour: {colour}}}}}")

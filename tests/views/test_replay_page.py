@@ -217,7 +217,7 @@ def test_phases_and_score_are_listed_by_half(page: str) -> None:
 def test_zones_spots_and_what_stands_on_the_field_are_in_the_page(page: str) -> None:
     facts = _facts(page)
     assert [zone["name"] for zone in facts["zones"]] == ["blue_goal", "penalty_area", "middle"]
-    assert facts["spots"] == [{"name": "centre", "x_m": 0.0, "y_m": 0.0}]
+    assert [(spot["name"], spot["x_m"], spot["y_m"]) for spot in facts["spots"]] == [("centre", 0.0, 0.0)]
     assert facts["gates"][0]["name"] == "half_way"
     assert facts["fixed"][0]["shape"] == "cylinder"
     assert facts["held_phases"] == ["goal_pause"]

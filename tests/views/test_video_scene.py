@@ -83,6 +83,19 @@ def test_zone_is_drawn_in_its_own_colour(footage, key, colour):
     assert has_line(shown, (0.5, 0.2), (0.5, 0.4), colour)
 
 
+def test_circle_at_a_spot_is_drawn_around_it(footage):
+    ring = NO_GOALS % ", ring: {shape: circle, anchor: mark, radius_m: 0.2, drawn: true, colour: red}"
+    shown = playing(footage, ring + "spots: {mark: {x_m: 0.3, y_m: 0.4}}\n")
+    assert [math.dist(start, (0.3, 0.4)) for start, _ in lines(shown, RED)] == pytest.approx([0.2] * 72, abs=1e-3)
+
+
+@pytest.mark.parametrize(("key", "colour"), [("", LINE), (", colour: red", RED)])
+def test_spot_is_drawn_as_a_dot_in_its_colour(footage, key, colour):
+    shown = playing(footage, f"spots: {{seen: {{x_m: 0.3, y_m: 0.4, drawn: true{key}}}, unseen: {{x_m: 0, y_m: 0}}}}\n")
+    dots = [(place, size[0]) for kind, place, size, _ in geoms(shown, colour) if kind == CYLINDER]
+    assert [(pytest.approx(place[:2]), radius) for place, radius in dots] == [([0.3, 0.4], 0.012)]
+
+
 def test_gate_of_a_rule_is_drawn_with_its_forward_mark(footage):
     shown = playing(footage, JUDGED_GATE % "{from_m: [0.1, 0.4], to_m: [0.5, 0.4]}")
     assert has_line(shown, (0.1, 0.4), (0.5, 0.4), GATE)

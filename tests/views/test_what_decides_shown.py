@@ -227,6 +227,20 @@ def test_a_gate_that_moves_with_a_robot_is_drawn_where_the_robot_is(
     assert not _is_pink(page.evaluate(COLOUR_AT, first)), "it has gone on"
 
 
+@pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
+def test_spots_and_circles_around_them_are_drawn_on_the_field(
+    show: Callable[..., Any], tmp_path: Path, script: str
+) -> None:
+    spots = {"seen": {"x_m": 0.3, "y_m": 0.3, "drawn": True, "colour": "red"}, "unseen": {"x_m": 0.3, "y_m": -0.3}}
+    ring = {"shape": "circle", "anchor": "unseen", "radius_m": 0.1, "drawn": True, "colour": "red"}
+    zones = {name: zone.model_dump() for name, zone in _scenario().zones.items()}
+    page = show(_replay(tmp_path, spots=spots, zones=zones | {"ring": ring}), script=script)
+    page.evaluate("replay.app.look('top')")
+    settled(page)
+    at = {point: page.evaluate(COLOUR_AT, list(point)) for point in ((0.3, 0.3), (0.3, -0.3), (0.4, -0.3))}
+    assert [red > 180 and green < 60 for red, green, _ in at.values()] == [True, False, True]
+
+
 def test_a_live_match_sends_ranking_counters_when_they_change() -> None:
     scenario, feed = _scenario(), Feed()
     observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))

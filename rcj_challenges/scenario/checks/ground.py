@@ -17,6 +17,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
 from rcj_challenges.scenario.positions import floor_parts, start_pose
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.rule_effects import fixed_spots
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import walk
 
@@ -39,6 +40,7 @@ def check_ground(scenario: Scenario) -> Iterator[Diagnostic]:
 def _shapes(scenario: Scenario) -> Iterator[Diagnostic]:
     for name, zone in scenario.zones.items():
         yield from _zone(zone, ("zones", name))
+    yield from _moving_paint(scenario)
     for name, gate in scenario.gates.items():
         if gate.from_m == gate.to_m:
             yield issue(codes.EMPTY_SHAPE, ("gates", name, "to_m"), "both posts are at one point")
@@ -56,6 +58,17 @@ def _shapes(scenario: Scenario) -> Iterator[Diagnostic]:
                 yield issue(codes.UNBOUNDED_ZONE, (*path, "uniform_in"), message, help_)
 
 
+def _moving_paint(scenario: Scenario) -> Iterator[Diagnostic]:
+    fixed = fixed_spots(scenario)
+    moving = [("spots", name) for name, spot in scenario.spots.items() if spot.drawn and name not in fixed]
+    for name, zone in scenario.zones.items():
+        if isinstance(zone, CircleZone) and zone.drawn and zone.anchor is not None and zone.anchor not in fixed:
+            moving.append(("zones", name))
+    for path in moving:
+        message = "what moves is not painted on the field"
+        yield issue(codes.CONFLICTING_KEYS, (*path, "drawn"), message, "leave 'drawn' out", at_key=True)
+
+
 def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
     if isinstance(zone, RectZone):
         for axis in "xy":
@@ -65,9 +78,6 @@ def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
                 yield issue(codes.EMPTY_SHAPE, (*path, f"{axis}_min_m"), message)
         if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
             yield issue(codes.MISSING_KEY, path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
-    if isinstance(zone, CircleZone) and zone.anchor is not None and zone.drawn:
-        message = "a circle with an anchor is not painted on the field"
-        yield issue(codes.CONFLICTING_KEYS, (*path, "drawn"), message, "leave 'drawn' out", at_key=True)
     if isinstance(zone, PolygonZone) and not is_simple(zone.points_m):
         message = "the outline crosses or touches itself, or has no area"
         yield issue(codes.EMPTY_SHAPE, (*path, "points_m"), message, "give its corners in order")

@@ -13,12 +13,15 @@ from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import MEMBERS, MOVING, ONE_ENTITY, Ref
 
 
-class _Zone(Strict):
-    inverted: bool = described(False, "True: everything except this shape")
-    drawn: bool = described(False, "True: pictures show its outline as a line on the field")
+class _Drawn(Strict):
+    drawn: bool = described(False, "True: pictures show it on the field: the outline of a zone, a spot as a dot")
     colour: Colour | None = described(
-        None, "colour of its outline in pictures: a CSS colour name or #rrggbb; if omitted: that of the field lines"
+        None, "its colour in pictures: a CSS colour name or #rrggbb; if omitted: that of the field lines"
     )
+
+
+class _Zone(_Drawn):
+    inverted: bool = described(False, "True: everything except this shape")
 
 
 class RectZone(_Zone):
@@ -83,7 +86,7 @@ class Gate(Strict):
     )
 
 
-class Spot(Strict):
+class Spot(_Drawn):
     """A named point."""
 
     x_m: float = described(..., "x in m")

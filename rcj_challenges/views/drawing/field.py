@@ -286,13 +286,17 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
             continue
         at, is_set = (spot.x_m, spot.y_m), name in remembered
         stroke = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
-        paper.line((at[0] - reach_m, at[1]), (at[0] + reach_m, at[1]), stroke, name)
-        paper.line((at[0], at[1] - reach_m), (at[0], at[1] + reach_m), stroke, name)
+        if spot.drawn:
+            paper.circle(at, reach_m, f'fill="{hex_of(spot.colour or "white")}" stroke="#212529"', name)
+            paper.keep_free(at, reach_m)
+        else:
+            paper.line((at[0] - reach_m, at[1]), (at[0] + reach_m, at[1]), stroke, name)
+            paper.line((at[0], at[1] - reach_m), (at[0], at[1] + reach_m), stroke, name)
         number, colour = paper.new_number(), _PUT_MARKER if is_set else _BLACK
         paper.mark(at, number, name, colour, offset_px=(_BESIDE_PX, -_BESIDE_PX))
         words = f" when {scenario.match.period.a} starts; rules set it" if is_set else ""
         entries.append(Entry(f"{name}: {_numbers(at)}{words}", number, colour))
-    return "Spots (m)", entries
+    return "Spots (m; round: drawn on the field)", entries
 
 
 def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Section:

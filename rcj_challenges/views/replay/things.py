@@ -48,7 +48,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
             for name, gate in scenario.gates.items()
         ],
         # Spots that rules set, and circles around them, are left out: their positions are not in the record.
-        "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
+        "spots": [{"name": name, **_coloured(spot)} for name, spot in fixed_spots(scenario).items()],
         "seats": [
             {"name": name, "colour": _seat_colour(scenario, name), "letter": _initials(scenario).get(name, "")}
             for name in scenario.entrants
@@ -77,7 +77,7 @@ def zone_colour(scenario: Scenario, name: str) -> str | None:
 
 def _coloured(thing: BaseModel) -> dict[str, Any]:
     fields = thing.model_dump(mode="json")
-    return {**fields, "colour": css_colour(fields["colour"])}
+    return {**fields, "colour": fields["colour"] and css_colour(fields["colour"])}
 
 
 def _used_gates(scenario: Scenario, roster: Roster) -> set[str]:

@@ -13,7 +13,8 @@ from PIL import Image, ImageDraw
 
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import RectZone
-from rcj_challenges.scenario.shapes import floor_of, floor_outline, forward_mark, goal_floor
+from rcj_challenges.scenario.positions import at_start
+from rcj_challenges.scenario.shapes import SPOT_M, floor_of, floor_outline, forward_mark, goal_floor
 from rcj_challenges.views.palette import PALETTE, Rgb, rgb, text_on
 from rcj_challenges.views.replay.things import zone_colour
 from rcj_challenges.views.video.camera import FOV_RAD
@@ -109,7 +110,12 @@ def _add_floor(spec: Any, footage: Footage) -> None:
     for name, zone in footage.scenario.zones.items():
         if zone.drawn:
             own = zone_colour(footage.scenario, name)
-            outlines.append((floor_outline(zone, field), line if own is None else rgb(own)))
+            outlines.append((floor_outline(at_start(zone, footage.scenario), field), line if own is None else rgb(own)))
+    for spot in footage.scenario.spots.values():
+        if spot.drawn:
+            disc, at = mujoco.mjtGeom.mjGEOM_CYLINDER, (spot.x_m, spot.y_m, _PAINT_M / 2)
+            dot = spec.worldbody.add_geom(type=disc, pos=at, size=(SPOT_M, _PAINT_M / 2, 0))
+            _paint(dot, line if spot.colour is None else rgb(spot.colour))
     for outline, colour in outlines:
         for start, end in zip(outline, [*outline[1:], *outline[:1]], strict=True):
             _add_bar(spec.worldbody, start, end, colour)

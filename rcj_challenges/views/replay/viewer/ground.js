@@ -3,6 +3,7 @@
 
 const STRIPES = 8;
 const FORWARD_M = 0.05;
+const SPOT_M = 0.012;
 const GATE_OPACITY = 0.95;
 const MARK_HUES = [310, 175, 20, 275, 150, 340];
 
@@ -31,6 +32,9 @@ const Ground = {
       const colour = zone.colour ? Colours.rgb(zone.colour) : PALETTE.line;
       if (zone.drawn) line(Ground.within(Ground.zone(zone, facts.field), x, y, cut), true, colour);
     }
+    for (const spot of facts.spots) {
+      if (spot.drawn) shapes.push({ points: Ground.dot(spot), fill: spot.colour ? Colours.rgb(spot.colour) : PALETTE.line, alpha: 1 });
+    }
     return shapes;
   },
 
@@ -49,8 +53,8 @@ const Ground = {
     if (shown.gates) for (const gate of facts.gates) if (gate.anchor === null) shapes.push(...Ground.gate(gate));
     if (shown.spots) {
       for (const spot of facts.spots) {
-        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), fill: PALETTE.spot, alpha: 0.9 });
-        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), line: PALETTE.mark, width: 0.004, closed: true, alpha: 0.9 });
+        shapes.push({ points: Ground.dot(spot), fill: PALETTE.spot, alpha: 0.9 });
+        shapes.push({ points: Ground.dot(spot), line: PALETTE.mark, width: 0.004, closed: true, alpha: 0.9 });
       }
     }
     return shapes;
@@ -67,6 +71,8 @@ const Ground = {
     });
     return [...circles, ...gates];
   },
+
+  dot: ({ x_m, y_m }) => Mesh.circle(x_m, y_m, SPOT_M, 20),
 
   /** A point in the frame of something that moves, x ahead and y to its left, as a point of the field. */
   beside({ x: x0, y: y0, yaw }, [x, y]) {
