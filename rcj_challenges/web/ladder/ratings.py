@@ -31,7 +31,7 @@ PLACEMENTS = 8
 _DRAWS = 2000
 _DRAWS_SEED = 20_260_101
 _MAX_STEPS = 100
-_SMALL_STEP = 1e-10
+_SMALL_STEP, _LONG_STEP = 1e-10, 0.5
 
 
 @dataclass(frozen=True)
@@ -107,27 +107,24 @@ def fit(results: Iterable[Result], predecessors: Mapping[str, str | None]) -> Fi
     Raises:
         ValueError: a result or predecessor names an unlisted program, or a program is among its own predecessors.
     """
-    if unknown := {before for before in predecessors.values() if before is not None} - set(predecessors):
-        raise ValueError(f"program {min(unknown)} is not listed")
+    rated = list(results)
+    named = {before for before in predecessors.values() if before is not None}
+    if unlisted := named.union(*((one.blue, one.yellow) for one in rated)) - predecessors.keys():
+        raise ValueError(f"program {min(unlisted)} is not listed")
     TopologicalSorter({one: [before] for one, before in predecessors.items() if before is not None}).prepare()
     digests = tuple(sorted(predecessors))
-    place = {digest: i for i, digest in enumerate(digests)}
-    pairs, counts = _counted(results, place)
-    prior = np.zeros((len(digests), len(digests)))
+    n, place = len(digests), {digest: i for i, digest in enumerate(digests)}
+    prior = np.zeros((n, n))
     for digest in digests:
-        i, before = place[digest], predecessors[digest]
-        if before is None:
-            prior[i, i] += FIRST_SD**-2
-        else:
-            ends = [i, place[before]]
-            prior[np.ix_(ends, ends)] += np.array([[1.0, -1.0], [-1.0, 1.0]]) * NEXT_SD**-2
-    games = np.zeros(len(digests), np.int64)
+        ends = [place[one] for one in (digest, predecessors[digest]) if one is not None]
+        signs, sd = ([1.0, -1.0], NEXT_SD) if len(ends) > 1 else ([1.0], FIRST_SD)
+        prior[np.ix_(ends, ends)] += np.outer(signs, signs) * sd**-2
+    pairs, counts = _counted(rated, place)
+    games = np.zeros(n, np.int64)
     np.add.at(games, pairs, counts.sum(1, keepdims=True))
-    posterior = _Posterior(pairs, counts, prior)
-    optimum = posterior.optimum()
-    n = len(digests)
-    covariance = np.linalg.inv(-posterior.slopes(optimum)[1])[:n, :n]
-    tie = float(optimum[n]) if posterior.has_ties else -math.inf
+    optimum, curvature = _optimum(pairs, counts, prior)
+    covariance = np.linalg.inv(-curvature)[:n, :n]
+    tie = float(optimum[n]) if len(optimum) > n else -math.inf
     return Fit(digests, optimum[:n], (covariance + covariance.T) / 2, games, tie)
 
 
@@ -157,97 +154,63 @@ def standings(fitted: Fit, shown: Collection[str]) -> list[Rating]:
 def _counted(results: Iterable[Result], place: Mapping[str, int]) -> tuple[Ints, Ints]:
     """Pairs that met, sorted, shape (m, 2); wins of the first, draws and wins of the second, shape (m, 3)."""
     counted: dict[tuple[int, int], list[int]] = {}
-    for result in results:
-        for digest in (result.blue, result.yellow):
-            if digest not in place:
-                raise ValueError(f"program {digest} is not listed")
-        if result.blue == result.yellow:
-            continue
-        blue, yellow = place[result.blue], place[result.yellow]
-        lead = result.blue_goals - result.yellow_goals
-        if blue > yellow:
-            blue, yellow, lead = yellow, blue, -lead
-        outcome = 1 if lead == 0 else 0 if lead > 0 else 2
-        counted.setdefault((blue, yellow), [0, 0, 0])[outcome] += 1
+    for one in results:
+        lead = one.blue_goals - one.yellow_goals
+        (first, lead), (second, _) = sorted([(place[one.blue], lead), (place[one.yellow], -lead)])
+        if first != second:
+            counted.setdefault((first, second), [0, 0, 0])[1 - (lead > 0) + (lead < 0)] += 1
     pairs = sorted(counted)
     counts = [counted[pair] for pair in pairs]
     return np.array(pairs, np.int64).reshape(-1, 2), np.array(counts, np.int64).reshape(-1, 3)
 
 
-class _Posterior:
-    """The log-posterior of the strengths and, after them, the log-weight of a draw.
+def _slopes(at: Floats, pairs: Ints, counts: Ints, prior: Floats) -> tuple[Floats, Floats]:
+    """The gradient of the log-posterior, and the matrix of its second derivatives.
 
-    Without a draw, that weight has its optimum at minus infinity, so the model is the one without ties. One imagined
-    match between equals that one of them won keeps it finite if all matches are drawn.
+    At the end of ``at`` is the log-weight of a draw, if there was one; else its optimum is minus infinity, so the model
+    is the one without ties. One imagined match between equals that one of them won keeps it finite if all are drawn.
     """
+    n, (first, second), games = len(prior), pairs.T, counts.sum(1)
+    has_ties = len(at) > n
+    half = (at[first] - at[second]) / 2
+    logs = np.stack([half, np.full_like(half, at[n] if has_ties else -np.inf), -half])
+    win, draw, loss = np.exp(logs - np.logaddexp.reduce(logs))
+    lead = win - loss
+    gradient, curvature = np.zeros(len(at)), np.zeros((len(at), len(at)))
+    slope = (counts[:, 0] - counts[:, 2] - games * lead) / 2
+    bend = games * (win + loss - lead**2) / 4
+    mixed = games * draw * lead / 2
+    for a, b, sign in ((first, second, 1), (second, first, -1)):
+        np.add.at(gradient, a, sign * slope)
+        np.add.at(curvature, (a, a), -bend)
+        np.add.at(curvature, (a, b), bend)
+        if has_ties:
+            np.add.at(curvature[n], a, sign * mixed)
+    gradient[:n] -= prior @ at[:n]
+    curvature[:n, :n] -= prior
+    if has_ties:
+        imagined = 1 / (1 + 2 * math.exp(-at[n]))
+        gradient[n] = (counts[:, 1] - games * draw).sum() - imagined
+        curvature[n, n] = -(games * draw * (1 - draw)).sum() - imagined * (1 - imagined)
+        curvature[:n, n] = curvature[n, :n]
+    return gradient, curvature
 
-    def __init__(self, pairs: Ints, counts: Ints, prior: Floats) -> None:
-        self._first, self._second = pairs[:, 0], pairs[:, 1]
-        self._counts = counts.astype(np.float64)
-        self._games = self._counts.sum(1)
-        self._prior = prior
-        self.has_ties = bool(counts[:, 1].any())
 
-    def _weights(self, at: Floats) -> tuple[Floats, Floats]:
-        """Log-weights of the three outcomes of each pair, shape (m, 3), and the logarithm of their sums, shape (m,)."""
-        n = len(self._prior)
-        half = (at[self._first] - at[self._second]) / 2
-        tie = at[n] if self.has_ties else -np.inf
-        logs = np.stack([half, np.full_like(half, tie), -half], axis=1)
-        return logs, np.logaddexp.reduce(logs, axis=1)
+def _optimum(pairs: Ints, counts: Ints, prior: Floats) -> tuple[Floats, Floats]:
+    """The maximum by Newton steps, and the second derivatives there.
 
-    def value(self, at: Floats) -> float:
-        """The log-posterior, but for a constant."""
-        n = len(self._prior)
-        logs, totals = self._weights(at)
-        seen = np.where(self._counts > 0, self._counts * np.where(self._counts > 0, logs, 0.0), 0.0)
-        value = seen.sum() - (self._games * totals).sum() - at[:n] @ self._prior @ at[:n] / 2
-        if self.has_ties:
-            value -= np.logaddexp(math.log(2), at[n])
-        return float(value)
-
-    def slopes(self, at: Floats) -> tuple[Floats, Floats]:
-        """The gradient and the matrix of second derivatives."""
-        n, size = len(self._prior), len(at)
-        first, second = self._first, self._second
-        logs, totals = self._weights(at)
-        win, draw, loss = np.exp(logs - totals[:, None]).T
-        lead = win - loss
-        gradient, curvature = np.zeros(size), np.zeros((size, size))
-        slope = (self._counts[:, 0] - self._counts[:, 2] - self._games * lead) / 2
-        np.add.at(gradient, first, slope)
-        np.add.at(gradient, second, -slope)
-        bend = self._games * (win + loss - lead**2) / 4
-        for a, b, sign in ((first, first, -1), (second, second, -1), (first, second, 1), (second, first, 1)):
-            np.add.at(curvature, (a, b), sign * bend)
-        gradient[:n] -= self._prior @ at[:n]
-        curvature[:n, :n] -= self._prior
-        if self.has_ties:
-            imagined = 1 / (1 + 2 * math.exp(-at[n]))
-            gradient[n] = (self._counts[:, 1] - self._games * draw).sum() - imagined
-            curvature[n, n] = -(self._games * draw * (1 - draw)).sum() - imagined * (1 - imagined)
-            mixed = self._games * draw * lead / 2
-            for a, sign in ((first, 1), (second, -1)):
-                np.add.at(curvature[n], a, sign * mixed)
-            curvature[:n, n] = curvature[n, :n]
-        return gradient, curvature
-
-    def optimum(self) -> Floats:
-        """The maximum, by Newton steps, halved while they lead downhill."""
-        at = np.zeros(len(self._prior) + self.has_ties)
-        value = self.value(at)
-        for _ in range(_MAX_STEPS):
-            gradient, curvature = self.slopes(at)
-            step = -np.linalg.solve(curvature, gradient)
-            size = float(np.abs(step).max(initial=0.0))
-            if size < _SMALL_STEP:
-                return at
-            # Close to the maximum, the difference of two values is only rounding.
-            while size > 1e-3 and self.value(at + step) < value:
-                step, size = step / 2, size / 2
-            at = at + step
-            value = self.value(at)
-        raise ArithmeticError(f"no maximum after {_MAX_STEPS} steps")
+    No step is so long that the log-odds of two outcomes change by more than 1: then each leads uphill, as the third
+    derivative of such a posterior is bounded by the second (Bach 2010, lemma 1).
+    """
+    at = np.zeros(len(prior) + bool(counts[:, 1].any()))
+    for _ in range(_MAX_STEPS):
+        gradient, curvature = _slopes(at, pairs, counts, prior)
+        step = -np.linalg.solve(curvature, gradient)
+        size = float(np.abs(step).max(initial=0.0))
+        if size < _SMALL_STEP:
+            return at, curvature
+        at = at + step * min(1.0, _LONG_STEP / size)
+    raise ArithmeticError(f"no maximum after {_MAX_STEPS} steps")
 
 
 def _centred_sds(fitted: Fit, rows: list[int]) -> list[int]:
@@ -265,8 +228,6 @@ def _centred_sds(fitted: Fit, rows: list[int]) -> list[int]:
 
 def _rank_intervals(fitted: Fit, rows: list[int]) -> list[tuple[int, int]]:
     """The ranks between which 90 % of draws from the posterior lie, for each row."""
-    if not rows:
-        return []
     root = np.linalg.cholesky(fitted.covariance[np.ix_(rows, rows)])
     draws = np.random.default_rng(_DRAWS_SEED).standard_normal((_DRAWS, len(rows)))
     strengths = fitted.strengths[rows] + draws @ root.T
