@@ -120,8 +120,7 @@ def look_up(request: HttpRequest, pk: int) -> Status[dict[str, Any]]:
 @api.get("seasons/{pk}/results", auth=None, response={200: Results, 404: Problem})
 def season_results(request: HttpRequest, pk: int) -> Status[Results | dict[str, str]]:  # noqa: ARG001 - the name is the library's
     """Return all that the table of a season follows from, and the table."""
-    season = Season.objects.filter(pk=pk).first()
-    basis = None if season is None else shown_basis(season)
+    basis = shown_basis(Season.objects.filter(pk=pk).first())
     if basis is None:
         return Status(404, {"code": NO_LADDER, "message": "there is no season with this number that has begun"})
     return Status(200, standings_of(basis).published)

@@ -73,8 +73,8 @@ def freeze(event: Event, now: datetime, *, waits: bool = True) -> None:
 def _chosen(event: Event) -> list[tuple[int, str, int]]:
     """Return what plays: what was active at the deadline, or a newer submission in time that was accepted since."""
     basis = seasons.shown_basis(event.season)
-    table = [] if basis is None else standings_of(basis).published.table
-    places = {row.digest: place for place, row in enumerate((row for row in table if row.rank is not None), 1)}
+    ranked = [] if basis is None else standings_of(basis).ranked
+    places = {row.digest: place for place, row in enumerate(ranked, 1)}
     accepted = in_time(event).filter(state=State.ACCEPTED).defer("report").order_by("team", "number")
     found = []
     for team, some in groupby(accepted, lambda one: one.team_id):

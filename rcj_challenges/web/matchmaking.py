@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from datetime import datetime, timedelta
 from itertools import chain
 
@@ -32,9 +32,8 @@ def fill(lanes: int, now: datetime, fitting: Collection[int]) -> int:
     Returns:
         How many matches were added.
     """
-    season = Season.objects.filter(is_current=True, begun_at__isnull=False, ended_at=None).first()
-    basis = None if season is None else seasons.current_basis(season)
-    if season is None or basis is None or basis.pk not in fitting:
+    basis = seasons.current_basis(seasons.running())
+    if basis is None or basis.pk not in fitting:
         return 0
     queued = Job.objects.filter(match__basis=basis, kind__in=_KINDS, state=JobState.QUEUED).count()
     wanted = WAITING_PER_LANE * lanes - queued
@@ -56,15 +55,14 @@ def _add_again(basis: Basis, wanted: int, now: datetime) -> int:
 
 def _add_chosen(basis: Basis, wanted: int, now: datetime) -> int:
     before = Match.objects.filter(basis=basis).count()
-    playing = seasons.playing_now(basis.season)
-    met, waiting = _met(basis)
-    chosen = choose(standings_of(basis).fitted, _candidates(basis, playing, now), met, waiting, wanted)
+    table = standings_of(basis)
+    chosen = choose(table.fitted, _candidates(basis, table.playing, now), *_met(basis), wanted)
     with jobs.writing():
         # Another dispatcher may have chosen at the same time: then the next look at the queue decides.
         Season.objects.select_for_update().get(pk=basis.season_id)
         if not Basis.objects.filter(pk=basis.pk).exists() or Match.objects.filter(basis=basis).count() != before:
             return 0
-        pairs = [(playing[one.blue][0], playing[one.yellow][0]) for one in chosen]
+        pairs = [(table.playing[one.blue][0], table.playing[one.yellow][0]) for one in chosen]
         matches = seasons.add_matches(basis, MatchKind.RATED, pairs, now)
         for match, one in zip(matches, chosen, strict=True):
             seasons.enqueue(match, "placement" if one.is_placement else "ladder", now)
@@ -84,7 +82,7 @@ def _met(basis: Basis) -> tuple[Counter[tuple[str, str]], list[tuple[str, str]]]
     return met, waiting
 
 
-def _candidates(basis: Basis, playing: dict[str, list[Submission]], now: datetime) -> list[Candidate]:
+def _candidates(basis: Basis, playing: Mapping[str, list[Submission]], now: datetime) -> list[Candidate]:
     """Return the programs that play now, without those that have had their lane time of the last 24 hours."""
     used_s: defaultdict[str, float] = defaultdict(float)
     lanes_s: dict[str, list[float]] = defaultdict(list)

@@ -53,14 +53,19 @@ def own_versions() -> dict[str, str]:
     return deciding(versions().model_dump())
 
 
-def current_basis(season: Season) -> Basis | None:
+def running() -> Season | None:
+    """The season whose ladder is played at this time."""
+    return Season.objects.filter(is_current=True, begun_at__isnull=False, ended_at=None).first()
+
+
+def current_basis(season: Season | None) -> Basis | None:
     """The basis of new matches of a season; None: its ladder has not begun."""
-    return Basis.objects.filter(season=season).first()
+    return Basis.objects.filter(season=season).select_related("season").first()
 
 
-def shown_basis(season: Season) -> Basis | None:
+def shown_basis(season: Season | None) -> Basis | None:
     """Return the basis whose matches make the table."""
-    return Basis.objects.filter(season=season, is_whole=True).first()
+    return Basis.objects.filter(season=season, is_whole=True).select_related("season").first()
 
 
 def programs_of(season: Season) -> dict[str, str | None]:

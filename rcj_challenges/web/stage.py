@@ -46,7 +46,7 @@ def public_replay(match: Match, own: Iterable[tuple[int, str]] = ()) -> ReplayDa
 def candidates(season: Season | None) -> list[Match]:
     """Return the last matches of a season whose replays are there, the newest first."""
     site = current_site().folder
-    basis = None if season is None else seasons.shown_basis(season)
+    basis = seasons.shown_basis(season)
     played = Match.objects.filter(basis=basis, kind=MatchKind.RATED, void="")
     there = played.filter(played_at__isnull=False, blue__team__deleted_at=None, yellow__team__deleted_at=None)
     last = seasons.with_sides(there).annotate(shows=Count("show")).order_by("-played_at")[:_LOOKED_AT]
@@ -105,16 +105,16 @@ def _free_time(after: datetime, length: timedelta) -> datetime:
 
 def fill(now: datetime) -> Show | None:
     """Put a match on the stage by itself, if none of that kind waits: the closest ratings of those shown least."""
-    season = Season.objects.filter(is_current=True, begun_at__isnull=False, ended_at=None).first()
-    basis = None if season is None else seasons.shown_basis(season)
-    if season is None or basis is None or Show.objects.filter(begins_at__gt=now, is_chosen=False).exists():
+    season = seasons.running()
+    basis = seasons.shown_basis(season)
+    if basis is None or Show.objects.filter(begins_at__gt=now, is_chosen=False).exists():
         return None
-    playing, fitted = seasons.playing_now(season), standings_of(basis).fitted
+    table = standings_of(basis)
 
     def order(match: Any) -> tuple[int, int]:
-        return match.shows, abs(fitted.value_of(match.blue.digest) - fitted.value_of(match.yellow.digest))
+        return match.shows, abs(table.fitted.value_of(match.blue.digest) - table.fitted.value_of(match.yellow.digest))
 
-    found = [one for one in candidates(season) if one.blue.digest in playing and one.yellow.digest in playing]
+    found = [one for one in candidates(season) if {one.blue.digest, one.yellow.digest} <= table.playing.keys()]
     for match in sorted(found, key=order):
         with suppress(OSError, ValueError):  # its replay has just been dropped, or is damaged
             return schedule(match, now, now, is_chosen=False)

@@ -250,7 +250,7 @@ def test_stage_fills_itself_with_the_closest_ratings_of_what_was_shown_least(
     far = another_match(site, replay, own, foreign)
     values = {own.digest: 1000, foreign.digest: 1100}
     fitted = type("Fitted", (), {"value_of": staticmethod(values.__getitem__)})
-    monkeypatch.setattr(stage, "standings_of", lambda _: type("Standings", (), {"fitted": fitted}))
+    monkeypatch.setattr(stage, "standings_of", lambda _: type("Standings", (), {"fitted": fitted, "playing": values}))
     shown = []
     now = NOW
     for _ in range(4):

@@ -46,7 +46,7 @@ def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
 
 def _season_values() -> dict[str, Any]:
     season = Season.objects.filter(is_current=True).first()
-    basis = None if season is None else seasons.current_basis(season)
+    basis = seasons.current_basis(season)
     values: dict[str, Any] = {"season": season, "basis": basis, "left": 0, "has_other_versions": False}
     if basis is not None:
         values["left"] = seasons.open_rated(basis).count()

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
 from pathlib import Path
 from typing import Any
 
 from csp.decorators import csp
+from django.core.paginator import Paginator
 from django.db.models import Q
 from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase
 from django.shortcuts import get_object_or_404, redirect
@@ -20,7 +20,6 @@ from rcj_challenges.web import jobs, seasons, stage
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.blobs import record_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.ladder.ratings import Rating
 from rcj_challenges.web.models import Job, JobState, Match, MatchKind, Season, State, Submission, Team
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.tables import standings_of
@@ -38,24 +37,13 @@ _MAX_AGAIN = 20
 def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
     """Show the table of a season, of the current one without a number."""
     season = get_object_or_404(Season, pk=pk) if pk else Season.objects.filter(is_current=True).first()
-    basis = None if season is None else seasons.shown_basis(season)
+    basis = seasons.shown_basis(season)
     others = Season.objects.filter(begun_at__isnull=False).exclude(pk=season.pk if season else 0).order_by("-begun_at")
-    values: dict[str, Any] = {"season": season, "others": others, "rows": [], "cross": [], "number": 1, "is_last": True}
-    if season is not None and basis is not None:
-        number = max(1, int(text)) if (text := request.GET.get("page", "1")[:4]).isdecimal() else 1
-        playing, table = seasons.playing_now(season), standings_of(basis)
-        rows = [row for row in table.published.table if row.digest in playing]
-        ranked = [row for row in rows if row.rank is not None]
-
-        def shown(some: list[Rating]) -> list[dict[str, Any]]:
-            return [
-                {"row": row, "teams": [one.team for one in playing[row.digest]],
-                 "record": sum(table.records[row.digest].values(), Counter())}
-                for row in some
-            ]  # fmt: skip
-
-        values |= {"rows": shown(rows[_ROWS * (number - 1) : _ROWS * number]), "cross": shown(ranked[:_CROSS]),
-                   "records": table.records, "number": number, "is_last": len(rows) <= _ROWS * number}  # fmt: skip
+    values: dict[str, Any] = {"season": season, "others": others, "table": None}
+    if basis is not None:
+        table = standings_of(basis)
+        rows = Paginator(table.published.table, _ROWS).get_page(request.GET.get("page"))
+        values |= {"table": table, "rows": rows, "cross": table.ranked[:_CROSS]}
     return page(request, "ladder.html", **values)
 
 
@@ -64,16 +52,11 @@ def team(request: HttpRequest, pk: int) -> HttpResponse:
     """Show the programs of a team with their ratings, its opponents and its last matches."""
     found = get_object_or_404(Team.objects.select_related("group"), pk=pk, deleted_at=None)
     season = Season.objects.filter(is_current=True).first()
-    basis = None if season is None else seasons.shown_basis(season)
-    values: dict[str, Any] = {"team": found, "versions": [], "matches": [], "season": season}
+    basis = seasons.shown_basis(season)
+    values: dict[str, Any] = {"team": found, "versions": [], "matches": []}
     if basis is not None:
-        accepted = list(Submission.objects.filter(team=found, season=season, state=State.ACCEPTED).defer("report"))
-        playing, table = seasons.playing_now(basis.season), standings_of(basis)
-        values["versions"] = [
-            {"submission": one, "value": table.fitted.value_of(one.digest), "plays": one in playing.get(one.digest, ()),
-             "record": sum(table.records[one.digest].values(), Counter())}
-            for one in accepted[:_MATCHES]
-        ]  # fmt: skip
+        accepted = Submission.objects.filter(team=found, season=season, state=State.ACCEPTED).defer("report")
+        values |= {"versions": list(accepted[:_MATCHES]), "table": standings_of(basis)}
         theirs = Match.objects.filter(Q(blue__team=found) | Q(yellow__team=found), basis=basis, kind=MatchKind.RATED)
         values["matches"] = seasons.with_sides(theirs.filter(played_at__isnull=False).order_by("-played_at"))[:_MATCHES]
     return page(request, "ladder_team.html", **values)

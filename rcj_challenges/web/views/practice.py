@@ -10,7 +10,7 @@ from django.utils.translation import gettext
 
 from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.accounts import Viewer
-from rcj_challenges.web.models import Entry, JobState, Match, MatchKind, Season, State, Submission, Team
+from rcj_challenges.web.models import Entry, JobState, Match, MatchKind, State, Submission, Team
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.views.guards import only
 
@@ -21,7 +21,7 @@ _SHOWN = 20
 @only("team")
 def practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     """Show the practice of a team, and whom it can play against."""
-    season = Season.objects.filter(is_current=True, begun_at__isnull=False, ended_at=None).first()
+    season = seasons.running()
     entry = Entry.objects.filter(team=viewer.team, season=season).select_related("active").first()
     either = Q(blue__team=viewer.team) | Q(yellow__team=viewer.team)
     theirs = seasons.with_sides(Match.objects.filter(either, kind=MatchKind.PRACTICE))

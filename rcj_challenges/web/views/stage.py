@@ -42,8 +42,10 @@ def live(request: HttpRequest) -> HttpResponse:
     now = timezone.now()
     shows = list(_with_sides(Show.objects.filter(ends_at__gt=now))[: _COMING + 1])
     show = shows[0] if shows else None
+    basis = seasons.shown_basis(Season.objects.filter(is_current=True).first())
     values: dict[str, Any] = {
-        "show": show, "is_on": show is not None and show.begins_at <= now, "coming": shows[1:], "rows": _table(),
+        "show": show, "is_on": show is not None and show.begins_at <= now, "coming": shows[1:],
+        "table": None if basis is None else standings_of(basis), "rows": _ROWS,
         "goals": list(_goals(now))[:_GOALS], "is_bare": "stage" in request.GET,
         "begins_ms": 0 if show is None else _ms(show.begins_at - now),
         "again_ms": _ms(_AGAIN if show is None or show.begins_at > now + 2 * _AGAIN else show.ends_at - now + _AFTER),
@@ -59,16 +61,6 @@ def _with_sides(shows: Any) -> Any:
 
 def _ms(length: timedelta) -> int:
     return round(length / timedelta(milliseconds=1))
-
-
-def _table() -> list[dict[str, Any]]:
-    season = Season.objects.filter(is_current=True).first()
-    basis = None if season is None else seasons.shown_basis(season)
-    if season is None or basis is None:
-        return []
-    playing = seasons.playing_now(season)
-    rows = [row for row in standings_of(basis).published.table if row.digest in playing and row.rank is not None]
-    return [{"row": row, "teams": [one.team for one in playing[row.digest]]} for row in rows[:_ROWS]]
 
 
 def _goals(now: datetime) -> Iterator[dict[str, Any]]:
