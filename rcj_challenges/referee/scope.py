@@ -18,7 +18,7 @@ from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.scenario.models.field import Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
-from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, as_tuple
+from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS, as_tuple
 from rcj_challenges.scenario.rule_effects import roles_in, spots_set_by_rules, with_names
 from rcj_challenges.tracking.circles import AnchoredCircle
 from rcj_challenges.tracking.contacts import Contacts
@@ -161,7 +161,10 @@ class NameScope:
         return self.entrants(names) if per == ENTRANTS else self.members(names)
 
     def drawn_value(self, value: Scalar) -> Scalar:
-        return self.each if value == EACH and self.each is not None else value
+        if self.each is None or value not in (EACH, OTHERS):
+            return value
+        meant = self.roster.of_rule(str(value), self.for_each, self.each)
+        return meant[0] if len(meant) == 1 else value
 
     def region(self, names: Names) -> Region:
         drawn, members = self.roster.drawn, self.members(names)

@@ -135,20 +135,3 @@ def test_the_example_of_places_that_follow_from_one_number_is_symmetric_whatever
         assert (scenario.zones["west"].x_max_m, scenario.zones["east"].x_min_m) == (-gap_m, gap_m)
         (left, _), (right, _) = scenario.gates["between"].from_m, scenario.gates["between"].to_m
         assert -left == right == round(gap_m - 0.02, 9)
-
-
-def test_overtime_is_a_third_half_that_only_a_draw_leads_to_and_a_goal_ends_it():
-    _, begins, rest = GUIDE.read_text("utf-8").partition("  match: {halves: 3, half_s: [300, 300, 120]}\n")
-    play = "keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}], ignore: [MATCH_START, KICKOFF, LACK_OF_PROGRESS, ROBOT_DAMAGED]"
-    level = "given: {score: {yellow: 1, blue: 2}}"
-    tests = [
-        f"  led: {{half: 2, keyframes: [{{at_s: 1}}], lasts_s: 300, {level}, ended: match}}",
-        f"  level: {{half: 2, {play}, lasts_s: 300, {level}, ended: half, score: {{yellow: 2, blue: 2}}}}",
-        f"  golden: {{half: 3, {play}, lasts_s: 20, {level}, ended: match}}",
-        f"  no_goal: {{half: 3, keyframes: [{{at_s: 1}}], lasts_s: 20, {level}, ended: none}}",
-    ]
-    text = dedent((begins + rest).partition("```")[0]) + "\n".join(["expect:", "  inherited: null", *tests]) + "\n"
-    loaded = load_text(HEAD.replace("soccersim_v2", "match") + text)
-    trials = {name: run_test(loaded, name).differences for name in loaded.scenario.expect}
-    assert trials == {"led": (), "level": (), "golden": (), "no_goal": ()}
-    assert lint(loaded) == []

@@ -101,6 +101,23 @@ rules:
     assert holder(play) == "Y2"
 
 
+def test_a_role_of_entrants_is_that_of_each_or_of_the_others(stage):
+    rules = """
+rules:
+  conceded:
+    for_each: entrants
+    triggers: [{trigger: touches, entity: each, other: ball}]
+    conditions: [{role: wanted, equals: each}]
+    actions: [{action: assign, role: wanted, to: others}, {action: score, entrant: each}]
+"""
+    play = stage(SECOND, listed("entrants"), rules)
+    for robot, expected in (("Y1", "blue"), ("B1", "yellow"), ("B2", "yellow"), ("Y2", "blue")):
+        play.touch(robot, "ball")
+        play.play()
+        assert holder(play) == expected
+    assert play.referee.scores == {"blue": 1, "yellow": 1}
+
+
 def test_other_is_what_was_touched(stage):
     rule = """
 rules:
@@ -328,6 +345,22 @@ def test_a_role_that_never_changes_is_reported(role, is_assigned, codes):
     give = ", {action: assign, role: r}" * is_assigned
     text = f"roles: {{r: {{of: [Y1, B1], {role}}}}}\nrules: {{x: {{triggers: [{{trigger: touches, entity: r, other: ball}}], says: x, actions: [{{action: score, entrant: r}}{give}]}}}}"
     assert [one.code for one in lint(load_text(HEAD + text)) if "role" in one.message] == codes
+
+
+def test_who_gets_the_points_depends_on_a_role():
+    text = """
+roles: {owner: {of: robots, order: listed, initial: none}}
+rules:
+  comes:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: ball}]
+    actions: [{action: assign, role: owner, to: each}]
+  owns:
+    triggers: [{trigger: time_reached, at_s: 5, every_s: 5}]
+    says: A point for the owner.
+    actions: [{action: score, entrant: owner}]
+"""
+    assert lint(load_text(HEAD + text)) == []
 
 
 def test_what_one_robot_does_that_has_a_role_is_not_reported_as_of_several():

@@ -294,8 +294,10 @@ class _Walker:
         known = [one.value for _, one in self._values_of(role or node.entries.get("draw"))]
         known += ["none", "next"][: 1 + is_set] if role is not None else []
         name = str(value.value) if isinstance(value, Leaf) else ""
-        members = scope.of(name)
-        if name not in BOUND or name in known:
+        teams = tuple(self.roster.teams)
+        members = teams if scope.group == ENTRANTS and name != OTHER else scope.of(name)
+        is_opponent = name == OTHERS and members == teams and len(teams) == 2
+        if name in known or not (name in BOUND or is_opponent):
             self._among(known, value, at)
         elif members is None:
             self.add(codes.UNBOUND_NAME, at, _unknown_bound(name))

@@ -12,6 +12,7 @@ from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, MatchExpectation
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
+from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.scenario.tree import Leaf, nodes_in
 
@@ -153,7 +154,8 @@ def _is_read(name: str, section: str, ctx: LintContext) -> bool:
 
 def _may_name(use: Use, section: str) -> bool:
     if isinstance(use.reference, SectionRef):
-        return section in use.reference.sections
+        # Whatever `each` may stand for, a role may.
+        return section in use.reference.sections or (section == "roles" and EACH in use.reference.words)
     return use.reference.takes_roles if section == "roles" else section == "draws" and use.reference.drawn
 
 
