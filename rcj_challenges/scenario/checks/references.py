@@ -294,9 +294,8 @@ class _Walker:
         known = [one.value for _, one in self._values_of(role or node.entries.get("draw"))]
         known += ["none", "next"][: 1 + is_set] if role is not None else []
         name = str(value.value) if isinstance(value, Leaf) else ""
-        teams = tuple(self.roster.teams)
-        members = teams if scope.group == ENTRANTS and name != OTHER else scope.of(name)
-        is_opponent = name == OTHERS and members == teams and len(teams) == 2
+        members = tuple(self.roster.teams) if scope.group == ENTRANTS and name != OTHER else scope.of(name)
+        is_opponent = name == OTHERS and scope.group == ENTRANTS and len(self.roster.teams) == 2
         if name in known or not (name in BOUND or is_opponent):
             self._among(known, value, at)
         elif members is None:
@@ -323,9 +322,8 @@ class _Walker:
             return
         if not any(type(value.value) is type(one) and value.value == one for one in known):
             message = f"{format_node(value)} is never drawn"
-            self.add(
-                codes.NEVER_DRAWN, path, message, choice_of(spelled(value.value), (cut(spelled(one)) for one in known))
-            )
+            help_ = choice_of(spelled(value.value), (cut(spelled(one)) for one in known))
+            self.add(codes.NEVER_DRAWN, path, message, help_)
 
     def _refs_of(self, model: Any, node: Entries, path: Path) -> list[tuple[str, Reference, Any]]:
         """Return the fields of a model that name something: of a condition, or a value read of several, also groups."""
