@@ -14,7 +14,7 @@ from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.rules.values import compile_duration
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
-from rcj_challenges.scenario.roster import ENTRANTS
+from rcj_challenges.scenario.roster import ENTRANTS, OTHERS
 from rcj_challenges.scenario.rule_effects import for_other, names_other
 from rcj_challenges.tracking.bound_rules import BoundRule
 from rcj_challenges.tracking.state import Clock
@@ -76,9 +76,10 @@ def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown_s=None,
         max_executions=most,
-        says=fill_params(rule, context.scenario.params),
+        says=fill_params(rule, context.scenario.params, rule.says),
         priority=rule.priority,
         past=context.state.history(keep, name, each),
+        others=context.roster.of_rule(OTHERS, rule.for_each, each),
     )
 
 

@@ -19,24 +19,40 @@ _DECIMALS = 3
 
 
 def fill_blanks(says: str, state: State, firing: Firing) -> str:
-    """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
+    """Return the sentence with what is known only when a rule fires; counters, draws and roles as it leaves them."""
     if "{" not in says:
         return says
     points = str(round_score(add_up(firing.scored.values())))
     decimals = distinct_decimals(firing.measured, firing.limit, _DECIMALS)
     filled = {
-        "{entity}": plain(firing.subject or ""),
-        "{each}": plain(firing.rule.each or ""),
-        "{other}": plain(firing.rule.other or ""),
-        "{team}": team_name_of(state, firing, None),
-        "{measured}": _format_number(firing.measured, decimals),
-        "{limit}": _format_number(firing.limit, decimals),
-        "{points}": points,
-        "{points} points": counted(points),
+        "entity": plain(firing.subject or ""),
+        "each": plain(firing.rule.each or ""),
+        "other": plain(firing.rule.other or ""),
+        "others": " and ".join(map(plain, firing.rule.others)),
+        "team": team_name_of(state, firing, None),
+        "measured": _format_number(firing.measured, decimals),
+        "limit": _format_number(firing.limit, decimals),
+        "points": points,
     }
+
+    def fill(found: re.Match[str]) -> str:
+        name, after = found.groups()
+        if name not in filled:
+            return f"{_named(name, state, firing) or found[0].removesuffix(after)}{after}"
+        return counted(points) if after and name == "points" else f"{filled[name]}{after}"
+
     # One pass from left to right, so that a team called "{limit}" stays just that.
-    blank = "|".join(map(re.escape, sorted(filled, key=len, reverse=True)))
-    return re.sub(blank, lambda found: filled[found[0]], says)
+    return re.sub(r"\{(\w+)\}((?: points\b)?)", fill, says)
+
+
+def _named(name: str, state: State, firing: Firing) -> str:
+    """Return what a counter, a draw or a role is now: of a counter that each has, that of the rule's own."""
+    if name in state.draws:
+        return plain(str(state.draws[name] or ""))
+    kept = state.counters.get(name)
+    owned = kept if isinstance(kept, dict) else {}
+    owner = next((one for one in (firing.rule.each, firing.rule.entrant, firing.subject) if one in owned), None)
+    return "" if name not in state.counters else _format_number(state.counter(name, owner), _DECIMALS)
 
 
 def _format_number(number: float | None, decimals: int) -> str:

@@ -10,9 +10,18 @@ from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 
-PLACEHOLDERS = ("entity", "each", "other", "team", "measured", "limit", "points")
+PLACEHOLDERS = ("entity", "each", "other", "others", "team", "measured", "limit", "points")
 """Placeholders that are filled in when a rule fires; they take precedence over params of the same name."""
 
+OPEN = "…"
+"""Stands on the sheet for a number that is known only when a rule fires."""
+
+_ARTICLES = ("the ", "a ", "an ", "one of ", "its ")
+_KIND = "robot|ball|obstacle|gate|spot|zone|team"
+# What makes sense beside a name only: “the gate {each}”, “the {each} gate”.
+_BESIDE_A_NAME = re.compile(
+    rf"((?:\b(?:the|an?|this|that) )?(?:\b(?:{_KIND}) )?)\{{(\w+)\}}((?: (?:{_KIND})\b)?)", re.IGNORECASE
+)
 _IN_BRACES = re.compile(r"\{([^{}]*)\}")
 _OF_POINTS = re.compile(r"\{([^{}]*)\}( points\b)?")
 _ONE = ("1", "-1")
@@ -24,13 +33,19 @@ def placeholders_in(says: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(_IN_BRACES.findall(says)))
 
 
-def fill_params(rule: Rule, params: Mapping[str, Scalar]) -> str:
-    """Return the sentence of a rule with its params filled in, and its points if it gives one plain number."""
+def named_in(rule: Rule) -> dict[str, str]:
+    """Return the placeholders of a rule's sentences, each with the key of the first one that has it."""
+    sheet = rule.sheet if isinstance(rule.sheet, str) else ""
+    return dict.fromkeys(placeholders_in(sheet), "sheet") | dict.fromkeys(placeholders_in(rule.says), "says")
+
+
+def fill_params(rule: Rule, params: Mapping[str, Scalar], text: str) -> str:
+    """Return a sentence of a rule with its params filled in, and its points if it gives one plain number."""
     known = {name: _as_text(value) for name, value in params.items() if name not in PLACEHOLDERS}
     points = {one.points for one in rule.effects(Scores)}
     if len(points) == 1 and (number := points.pop()) is not None:
         known["points"] = _as_text(number)
-    return _filled(rule.says, known)
+    return _filled(text, known)
 
 
 def description_of(scenario: Scenario) -> str:
@@ -47,6 +62,24 @@ def counted(number: str) -> str:
 def filled(text: str, values: Mapping[str, Scalar | list[Scalar]]) -> str:
     """Return a text with values filled in by their names; what is not known stays as it is."""
     return _filled(text, {name: _enumerated(value) for name, value in values.items()})
+
+
+def fill_generally(text: str, words: Mapping[str, tuple[str, str]]) -> str:
+    """Fill in general words for names: the first ones where a thing is named first, “a robot”, later the others."""
+    named: set[tuple[str, str]] = set()
+
+    def fill(found: re.Match[str]) -> str:
+        before, name, after = found.groups()
+        if name not in words:
+            return found[0]
+        is_possessive = text[found.end() :].startswith(("'", "\N{RIGHT SINGLE QUOTATION MARK}"))
+        known = words[name][words[name] in named or is_possessive]
+        named.add(words[name])
+        shown = known if known.startswith(_ARTICLES) else f"{before}{known}{after}"
+        begins = re.search(r"(^|[.!?]\s+)$", text[: found.start()])
+        return f"{shown[:1].upper()}{shown[1:]}" if begins else shown
+
+    return _BESIDE_A_NAME.sub(fill, text)
 
 
 def _enumerated(value: Scalar | list[Scalar]) -> str:

@@ -40,6 +40,7 @@ class BoundRule:
         about: ``each`` if it is an entity or an obstacle; else None, and the trigger finds the entity.
         other: what ``other`` stands for; the rule fires only if that is touched. None: the rule does not name it.
         entrant: the entrant that ``each`` is, or for which it plays; else None.
+        others: the rest of its group.
         phases: in which it is active; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
         cooldown_s: how long it rests after firing, in s.
@@ -63,6 +64,7 @@ class BoundRule:
     other: str | None = None
     about: str | None = None
     entrant: str | None = None
+    others: tuple[str, ...] = ()
 
     def is_active_in(self, phase: str) -> bool:
         """Return whether the rule is active in a phase."""

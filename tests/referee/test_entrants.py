@@ -24,7 +24,7 @@ rules:
     for_each: entrants
     triggers: [{trigger: holds, conditions: [{counter: fouls, at_least: 2}]}]
     actions: [%s]
-    says: "{each} has fouled, a foul of {team}."
+    says: "%s"
 """
 
 
@@ -32,8 +32,8 @@ rules:
 def fouled(stage):
     """Return what plays two fouls of blue under the rules of a text."""
 
-    def play(actions, *more):
-        rules = FOULS + AFTER_TWO.replace("rules:\n", "") % actions
+    def play(actions, *more, says="{each} has fouled, a foul of {team}."):
+        rules = FOULS + AFTER_TWO.replace("rules:\n", "") % (actions, says)
         played = stage(V2, rules, *more)
         touch(played, "B1", "walls", ticks=10)
         touch(played, "B2", "walls", ticks=10)
@@ -55,6 +55,14 @@ class TestRulesForEachEntrant:
         play = fouled("{action: score, entrant: each, points: {score: others, minus: 1}}")
         assert play.referee.scores == {"blue": -1, "yellow": 0}
         assert play.firings[-1].says == "blue has fouled, a foul of Blue Moon."
+
+    def test_the_log_shows_counters_and_roles_as_the_rule_leaves_them_and_the_others(self, fouled):
+        play = fouled(
+            "{action: count, counter: fouls}, {action: assign, role: wanted}",
+            "roles: {wanted: {of: [B1, B2], order: listed}}",
+            says="{each} has {fouls} fouls of {bumps} bumps; {others} waits for {wanted}, {nothing}.",
+        )
+        assert play.firings[-1].says == "blue has 3 fouls of 2 bumps; yellow waits for B2, {nothing}."
 
     def test_without_entity_flags_and_timers_are_those_of_the_team(self, fouled):
         play = fouled(

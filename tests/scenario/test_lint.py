@@ -156,6 +156,8 @@ CASES = [
      (EMPTY, rule("a", "{trigger: half_started}", more=", conditions: [{speed: ball, at_most: 0.01}]" ))),
     ("unknown-placeholder", (EMPTY, TOLD.replace("It is so.", "'{entitty} is so.'")),
      ("params: {at_s: 2}", rule("a", "{trigger: time_reached, at_s: {param: at_s}}").replace("It is so.", "'{at_s} s.'"))),
+    ("unknown-placeholder", (EMPTY, TOLD.replace("It is so.", "So., sheet: '{entitty} is so.'")),
+     ("counters: {n: {}}", TOLD.replace("It is so.", "'{n} so.', sheet: 'After {n}.'"))),
     ("unknown-placeholder", ("description: 'After {at_s} s'", EMPTY),
      ("description: 'Told as {\"light\": 1}'", EMPTY)),
     ("placeholder-never-filled", (EMPTY, TOLD.replace("It is so.", "'{each} is so.'")),

@@ -18,8 +18,8 @@ from tests.scenario.writing import HEAD, HEAD_LINES, complaints, errors, in_shor
 GOALS = """
 tables:
   teams:
-    yellow: {zone: blue_goal, others: [blue], worth: 2}
-    blue: {zone: yellow_goal, others: [yellow, blue], worth: 3}
+    yellow: {zone: blue_goal, rest: [blue], worth: 2}
+    blue: {zone: yellow_goal, rest: [yellow, blue], worth: 3}
 rules:
   before:
     triggers: [{trigger: half_started}]
@@ -27,9 +27,9 @@ rules:
   goal:
     repeat_for: teams
     triggers: [{trigger: enters, entity: ball, zone: {param: zone}}]
-    conditions: [{entity: {param: others}, in: in_play}]
+    conditions: [{entity: {param: rest}, in: in_play}]
     actions: [{action: score, entrant: {param: this}, points: {param: worth, times: 2, plus: 1}}]
-    says: "{points} points for {this}: the ball is in the {zone}, and {others} {others} see it from {entity}."
+    says: "{points} points for {this}: the ball is in the {zone}, and {rest} {rest} see it from {entity}."
   after:
     triggers: [{trigger: half_ended}]
     actions: [{action: emit, event: AFTER}]
@@ -44,11 +44,13 @@ rules:
     conditions: [{entity: [blue], in: in_play}]
     actions: [{action: score, entrant: yellow, points: 5}]
     says: "{points} points for yellow: the ball is in the blue goal, and blue blue see it from {entity}."
+    sheet: "{points} points for a team: the ball is in its zone, and its rest its rest see it from {entity}."
   goal_blue:
     triggers: [{trigger: enters, entity: ball, zone: yellow_goal}]
     conditions: [{entity: [yellow, blue], in: in_play}]
     actions: [{action: score, entrant: blue, points: 7}]
     says: "{points} points for blue: the ball is in the yellow goal, and yellow and blue yellow and blue see it from {entity}."
+    sheet: "{points} points for a team: the ball is in its zone, and its rest its rest see it from {entity}."
   after:
     triggers: [{trigger: half_ended}]
     actions: [{action: emit, event: AFTER}]
@@ -264,7 +266,7 @@ class TestVariants:
 
     def test_a_name_is_added_to_it(self, base):
         rules = base(
-            "tables: {teams: {B1: {zone: in_play, others: [Y1], worth: 1}}}\nrules: {goal: {actions: [{action: end}]}}\n"
+            "tables: {teams: {B1: {zone: in_play, rest: [Y1], worth: 1}}}\nrules: {goal: {actions: [{action: end}]}}\n"
         )
         assert list(rules) == ["before", "goal_yellow", "goal_blue", "goal_B1", "after"]
 
@@ -304,9 +306,9 @@ class TestMistakes:
         assert f"(line {HEAD_LINES + 9})" in problem.message
 
     def test_a_list_that_stands_in_many_places_counts_in_each(self):
-        triggers = ", ".join(["{trigger: enters, entity: {param: others}, zone: in_play}"] * 100)
+        triggers = ", ".join(["{trigger: enters, entity: {param: rest}, zone: in_play}"] * 100)
         body = f"triggers: [{triggers}]\n    actions: [{{action: end}}]\n"
-        table = f"tables: {{t: {{a: {{others: [{', '.join(['ball'] * 500)}]}}}}}}\n"
+        table = f"tables: {{t: {{a: {{rest: [{', '.join(['ball'] * 500)}]}}}}}}\n"
         rule = f"{table}rules:\n  r:\n    repeat_for: t\n    {body}"
         assert complaints(rule) == ["scenario-too-large rules.r"]
 
@@ -333,7 +335,7 @@ class TestLint:
         ]
         assert finding.where.path == "rules.goal.says"
         assert finding.help.startswith("did you mean 'zone'?")
-        assert finding.help.endswith("limit, points, this, teams, zone, others, worth")
+        assert finding.help.endswith("limit, points, this, teams, zone, rest, worth")
 
     def test_a_param_in_a_value_is_used(self):
         text = GOALS.replace("worth: 3", "worth: {param: goal_points}") + "params: {goal_points: 4}\n"

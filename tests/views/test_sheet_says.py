@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.views.sheets import sheet, spoken
+from tests.views.sheets import section, sheet, spoken
 
 pytestmark = pytest.mark.usefixtures("without_drawing")
 
@@ -22,12 +22,13 @@ STILL = "{trigger: holds, conditions: [{speed: each, at_most: 0.01}], for_s: 5%s
     ("triggers", "words"),
     [
         ("{trigger: enters, entity: Y1, zone: pitch}", "Y1"),
-        ("{trigger: displaced, entity: blue, angle_rad: 0.1}", "One of the blue robots"),
+        ("{trigger: displaced, entity: blue, angle_rad: 0.1}", "A blue robot"),
         ("{trigger: enters, entity: Y1, zone: pitch}, {trigger: leaves, entity: ball, zone: pitch}", "Y1 or the ball"),
+        ("{trigger: displaced, entity: [yellow, ball], distance_m: 0.1}", "A yellow robot or the ball"),
         ("{trigger: program_fault, robot: Y2}", "Y2"),
         ("{trigger: sequence_completed, sequence: way}", "Y3"),
         ("{trigger: sequence_completed, sequence: round, entity: B2}", "B2"),
-        ("{trigger: timer_expired, timer: rest}", "One of the robots"),
+        ("{trigger: timer_expired, timer: rest}", "A robot"),
         ("{trigger: time_reached, at_s: 3}", "The one concerned"),
     ],
 )
@@ -38,10 +39,10 @@ def test_entity_is_what_the_triggers_are_about(triggers, words):
 @pytest.mark.parametrize(
     ("rule", "says", "words"),
     [
-        (CROSSES, "{entity} has passed {each}.", "One of the yellow robots has passed one of the doors."),
+        (CROSSES, "{entity} has passed {each}.", "A yellow robot has passed one of the doors."),
         (CROSSES, "{each} is open; who crosses {each} closes it.", "One of the doors is open; who crosses the gate closes it."),
         (TOUCHES, "{other} is touched.", "The other robot is touched."),
-        (TOUCHES, "{each} or {entity}.", "The robot or the robot."),
+        (TOUCHES, "{each} or {entity}.", "A robot or the robot."),
     ],
 )  # fmt: skip
 def test_each_and_other_are_named_by_their_kind_or_group(rule, says, words):
@@ -81,6 +82,31 @@ def test_numbers_that_are_known_only_when_it_fires_are_left_open(trigger, words)
 )
 def test_it_is_a_whole_sentence(says, words):
     assert spoken(f"triggers: [{{trigger: half_started}}], {END}, says: '{says}'") == words
+
+
+def test_the_sheet_has_a_sentence_of_its_own_where_what_is_so_is_not_what_has_happened():
+    more = "counters: {fouls: {per: entrants}}\nroles: {wanted: {of: [Y1, Y2], order: listed}}"
+    rule = f"for_each: entrants, triggers: [{{trigger: half_started}}], {END}, says: '{{each}} has {{fouls}} fouls'"
+    assert spoken(rule, more) == "A team has … fouls."
+    assert spoken(f"{rule}, sheet: 'After 3 fouls {{others}} gets {{wanted}}, not the team {{each}}; {{each}} waits.'", more) == (
+        "After 3 fouls the other team gets the wanted, not a team; the team waits."
+    )  # fmt: skip
+
+
+def test_copies_of_a_rule_say_the_same_in_general_words():
+    text = """
+tables:
+  teams: {blue: {basket: yellow_goal, worth: 2}, yellow: {basket: blue_goal, worth: 3}}
+rules:
+  it:
+    repeat_for: teams
+    triggers: [{trigger: enters, entity: ball, zone: {param: basket}}]
+    actions: [{action: end}]
+    says: "The ball is in the {basket}, worth {worth}: {this} is ahead, and {teams} lines up."
+"""
+    said = "- The ball is in its basket, worth …: a team is ahead, and the team lines up."
+    assert section(sheet(text), "Rules") == said
+    assert section(sheet(text + "    sheet: '{this} wins'\n"), "Rules") == "- A team wins."
 
 
 def test_points_and_params_are_filled_in():

@@ -11,7 +11,7 @@ from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, MatchExpectation
-from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
+from rcj_challenges.scenario.placeholders import PLACEHOLDERS, named_in, placeholders_in
 from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.scenario.tree import Leaf, nodes_in
@@ -94,8 +94,8 @@ class NeverUsed(LintRule, code="never-used"):
         used = dict.fromkeys(("gates", "zones", "spots"), _names_on_field(ctx) | {*spots_set_by_rules(scenario)})
         used["groups"] = {use.name for use in ctx.uses if use.is_on_field}.union(*scenario.groups.values())
         used["params"] = {one.param for one in nodes_in(ctx.tree) if isinstance(one, Leaf)}
-        for text in (scenario.description, *(rule.says for rule in scenario.rules.values())):
-            used["params"] |= {*placeholders_in(text)} - {*PLACEHOLDERS}
+        said = {name for rule in scenario.rules.values() for name in named_in(rule)}
+        used["params"] |= {*placeholders_in(scenario.description), *said} - {*PLACEHOLDERS}
         for section in ("sequences", "placements"):
             # To reset a sequence is no use of it if nothing depends on its steps.
             uses = (use for use in ctx.uses if not use.reference.is_written)
@@ -149,6 +149,10 @@ def _uses_of(name: str, section: str, ctx: LintContext) -> list[Use]:
 def _is_read(name: str, section: str, ctx: LintContext) -> bool:
     """Return whether something depends on an entry; tests are no use of it."""
     uses = _uses_of(name, section, ctx)
+    if section in ("counters", "draws", "roles") and any(
+        name in named_in(rule) for rule in ctx.scenario.rules.values()
+    ):
+        return True
     return any(not use.reference.is_written and use.model not in _TESTS for use in uses)
 
 

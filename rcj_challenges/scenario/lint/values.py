@@ -20,7 +20,7 @@ from rcj_challenges.scenario.halves import MAX_LENGTHS, clock_may_stop, longest_
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
-from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
+from rcj_challenges.scenario.placeholders import PLACEHOLDERS, named_in, placeholders_in
 from rcj_challenges.scenario.tree import Path
 
 
@@ -133,18 +133,24 @@ class UnknownPlaceholder(LintRule, code="unknown-placeholder"):
     help = "{known}"
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
-        params = tuple(ctx.scenario.params)
-        texts: list[tuple[Path, str, tuple[str, ...]]] = [(("description",), ctx.scenario.description, params)]
-        for name, rule in ctx.scenario.rules.items():
+        scenario = ctx.scenario
+        params = tuple(scenario.params)
+        texts: list[tuple[Path, str, tuple[str, ...]]] = [
+            (("description",), blank, params) for blank in placeholders_in(scenario.description)
+        ]
+        for name, rule in scenario.rules.items():
             copy = ctx.loaded.repeated.get(("rules", name))
             repeated = () if copy is None else copy.known
-            texts.append((("rules", name, "says"), rule.says, (*PLACEHOLDERS, *repeated, *params)))
-        for path, text, known in texts:
-            for blank in placeholders_in(text):
-                # A description may hold braces of its own.
-                if blank not in known and (path[0] == "rules" or blank.strip().isidentifier()):
-                    nearest = choice_of(blank.strip(), known) or "define it under params, or leave the braces out"
-                    yield self.at(path, blank=blank, known=nearest)
+            known = (*PLACEHOLDERS, *repeated, *params, *scenario.counters, *scenario.draws, *scenario.roles)
+            texts += [(("rules", name, key), blank, known) for blank, key in named_in(rule).items()]
+        for path, blank, known in texts:
+            # A description may hold braces of its own.
+            if blank not in known and (path[0] == "rules" or blank.strip().isidentifier()):
+                yield self.at(
+                    path,
+                    blank=blank,
+                    known=choice_of(blank.strip(), known) or "define it under params, or leave the braces out",
+                )
 
 
 class PlaceholderNeverFilled(LintRule, code="placeholder-never-filled"):
@@ -155,14 +161,14 @@ class PlaceholderNeverFilled(LintRule, code="placeholder-never-filled"):
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
-            for blank in placeholders_in(rule.says):
+            for blank, key in named_in(rule).items():
                 why = self._why_empty(blank, rule)
                 if why and blank not in ctx.scenario.params:
-                    yield self.at(("rules", name, "says"), blank=blank, why=why)
+                    yield self.at(("rules", name, key), blank=blank, why=why)
 
     @staticmethod
     def _why_empty(blank: str, rule: Rule) -> str:
-        if blank == "each" and rule.for_each is None:
+        if blank in ("each", "others") and rule.for_each is None:
             return "this rule has no for_each"
         if blank == "limit" and not any(one.LIMIT or one.measures_its_limit() for one in rule.triggers):
             return "no trigger of this rule has a limit"

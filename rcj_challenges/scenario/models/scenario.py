@@ -88,11 +88,20 @@ class Rule(Strict):
     )
     says: str = described(
         "",
-        "the sentence for the rule sheet, the referee's log and the replay page; {entity}, {each}, {other}, {team}, "
-        "{measured}, {limit}, {points} and params by name, such as {goal_points}, are filled in",
+        "what has happened, in a sentence for the referee's log and the replay page, and for the rule sheet if it "
+        "has no `sheet`; {entity}, {each}, {other}, {others}, {team}, {measured}, {limit}, {points}, and params, "
+        "counters, draws and roles by name, such as {goal_points}, are filled in",
         max_length=500,
     )
-    sheet: bool = described(True, "false: the rule is left out of the rule sheet")
+    sheet: bool | Annotated[str, Field(min_length=1, max_length=500)] = described(
+        True,
+        "the sentence for the rule sheet, if it differs from `says`: what is so; false: the rule is left out of it",
+    )
+
+    @property
+    def for_sheet(self) -> str:
+        """The sentence for the rule sheet, its placeholders not filled in yet."""
+        return self.sheet if isinstance(self.sheet, str) else self.says if self.sheet else ""
 
     @property
     def limit(self) -> tuple[str, int | None]:

@@ -13,13 +13,14 @@ from itertools import product
 from math import prod
 from typing import NamedTuple
 
+from rcj_challenges.core.amounts import Noun
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.codes import NAME_TAKEN, SCENARIO_TOO_LARGE, WRONG_REPEAT
 from rcj_challenges.scenario.errors import choice_of, did_you_mean, listing, place_of
 from rcj_challenges.scenario.messages.wording import format_node
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.placeholders import PLACEHOLDERS, filled
+from rcj_challenges.scenario.placeholders import OPEN, PLACEHOLDERS, fill_generally, filled, placeholders_in
 from rcj_challenges.scenario.reading.merge import REPEAT_FOR, Merger, Repeated, is_param
 from rcj_challenges.scenario.reading.params import THIS, Resolver, params_of
 from rcj_challenges.scenario.shape import Shape, step_into
@@ -39,11 +40,13 @@ class _Row(NamedTuple):
     """A row of a table, or one row each of several.
 
     Attributes:
+        kinds: of each table the words for any of its rows: `team`.
         names: of each table the row.
         values: what the names of params stand for.
         other: the same of the other row, where a table has two.
     """
 
+    kinds: Mapping[str, str]
     names: tuple[str, ...]
     values: _Values
     other: _Values
@@ -162,7 +165,11 @@ class _Copier:
                 return []
         uses = [str(one.entries["param"].value) for one in nodes_in(entry) if is_param(one)]  # type: ignore[union-attr]
         size = sum(1 for _ in nodes_in(entry))
-        rows = [_crossed(of_tables, tables) for of_tables in product(*tables)] if self._is_small(tables) else []
+        rows = (
+            [_crossed({one: self._kind(one) for one in named}, of_tables, tables) for of_tables in product(*tables)]
+            if self._is_small(tables)
+            else []
+        )
         self.left -= sum(size + _listed_in(row.values, uses) for row in rows)
         if self.left < 0 or not self._is_small(tables):
             message = f"too much is repeated: written out it would be more than {_MAX_VALUES} single values"
@@ -170,6 +177,11 @@ class _Copier:
             self.problems.append(mark.error(SCENARIO_TOO_LARGE, message, "", in_names(self.root, path)))
             return []
         return rows
+
+    def _kind(self, table: str) -> str:
+        entrants = self.root.entries.get("entrants")
+        is_teams = isinstance(entrants, Entries) and {row for row, _ in self.tables[table]} <= {*entrants.entries}
+        return "team" if is_teams else table.replace("_", " ").removesuffix("s")
 
     @staticmethod
     def _is_small(tables: list[list[tuple[str, _Values]]]) -> bool:
@@ -245,27 +257,22 @@ class _Copier:
         """Return an entry with the values of a row, and with them those of params, put into it."""
         resolver = Resolver(self.root, self.params, self.problems, row.values, row.other)
         found = resolver.resolved(entry, shape, path)
-        says = found.entries.get("says") if isinstance(found, Entries) and path[0] == RULES else None
-        if isinstance(says, Leaf) and isinstance(says.value, str):
-            written = says.value
-            # As for params, a placeholder that is filled in when the rule fires takes precedence over a column.
-            known = {key: _as_words(value) for key, value in row.values.items() if key not in PLACEHOLDERS}
-            says.value = filled(written, {key: value for key, value in known.items() if value is not None})
-            begins = known.get(THIS)
-            if isinstance(begins, str) and written.startswith(f"{{{THIS}}}"):
-                says.value = begins[:1].upper() + says.value[1:]
+        if isinstance(found, Entries) and path[0] == RULES:
+            _fill_sentences(found, row)
         return found
 
     def _unfilled(self, entry: Entries, shape: Shape, path: Path) -> Node:
         uses = [str(one.entries["param"].value) for one in nodes_in(entry) if is_param(one)]  # type: ignore[union-attr]
         unknown = {one: Leaf(None, entry.mark) for one in uses if one not in self.params}
-        return self._filled(entry, shape, path, _Row((), unknown, unknown))
+        return self._filled(entry, shape, path, _Row({}, (), unknown, unknown))
 
     def _add(self, at: Path, mark: Mark, message: str, help_: str = "") -> None:
         self.problems.append(mark.error(WRONG_REPEAT, message, help_, in_names(self.root, at)))
 
 
-def _crossed(rows: tuple[tuple[str, _Values], ...], tables: list[list[tuple[str, _Values]]]) -> _Row:
+def _crossed(
+    kinds: Mapping[str, str], rows: tuple[tuple[str, _Values], ...], tables: list[list[tuple[str, _Values]]]
+) -> _Row:
     """Return one row of each of several tables as one; only a single table has ``this``."""
     values: dict[str, Leaf | Items] = {}
     other: dict[str, Leaf | Items] = {}
@@ -275,7 +282,33 @@ def _crossed(rows: tuple[tuple[str, _Values], ...], tables: list[list[tuple[str,
     if len(rows) > 1:
         values.pop(THIS, None)
         other.pop(THIS, None)
-    return _Row(tuple(name for name, _ in rows), values, other)
+    return _Row(kinds, tuple(name for name, _ in rows), values, other)
+
+
+def _fill_sentences(rule: Entries, row: _Row) -> None:
+    """Fill in the values of a row in what a rule says; for the rule sheet general words, the same in all copies."""
+    # As for params, a placeholder that is filled in when the rule fires takes precedence over a column.
+    known = {key: _as_words(value) for key, value in row.values.items() if key not in PLACEHOLDERS}
+    values = {key: value for key, value in known.items() if value is not None}
+    says, sheet = rule.entries.get("says"), rule.entries.get("sheet")
+    shown = sheet or says
+    if isinstance(shown, Leaf) and isinstance(shown.value, str) and {*placeholders_in(shown.value)} & {*known}:
+        rule.put("sheet", Leaf(fill_generally(shown.value, _in_general(row, values)), shown.mark), shown.mark)
+    if isinstance(says, Leaf) and isinstance(says.value, str):
+        begins, written = values.get(THIS), says.value
+        says.value = filled(written, values)
+        if isinstance(begins, str) and written.startswith(f"{{{THIS}}}"):
+            says.value = begins[:1].upper() + says.value[1:]
+
+
+def _in_general(row: _Row, values: Mapping[str, Scalar | list[Scalar]]) -> dict[str, tuple[str, str]]:
+    """Return words for a row and its values that are true for every row: ``a team``, ``its basket``."""
+    found = {
+        key: (f"its {key.replace('_', ' ')}",) * 2 if isinstance(value, str | list) else (OPEN, OPEN)
+        for key, value in values.items()
+    }
+    found |= {table: (Noun(kind, table).a, f"the {kind}") for table, kind in row.kinds.items()}
+    return found | {name: found[table] for name in (THIS,) for table in row.kinds if len(row.kinds) == 1}
 
 
 def _is_repeated(entry: Node) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from rcj_challenges.core.amounts import Noun
 from rcj_challenges.rules.effects import Removes
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
@@ -72,6 +73,16 @@ class Phrasebook:
     def any_of(self, names: Names) -> str:
         parts = [f"one of {self._group(one)}" if self.is_several(one) else self._one(one) for one in as_tuple(names)]
         return listed(parts, "or")
+
+    def a_member(self, name: str) -> str:
+        """Return any one of several: ``a yellow robot``, ``a team``, ``one of the doors``; of one itself."""
+        if name == ENTRANTS:
+            return "a team"
+        if not name or not self.is_several(name) or name in self.scenario.groups:
+            return self.any_of(name) if name else ""
+        if name in _GROUPS_OF_ALL:
+            return Noun(name.removesuffix("s"), name).a
+        return Noun(f"{plain(name)} robot", "").a
 
     def another_of(self, names: Names, than: Names) -> str:
         return "another of them" if names == than and self.is_several(as_tuple(names)[0]) else self.any_of(names)

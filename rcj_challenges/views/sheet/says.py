@@ -2,80 +2,50 @@
 
 from __future__ import annotations
 
-import re
-
-from rcj_challenges.rules.phrasing import number, plain
+from rcj_challenges.rules.phrasing import listed, number, plain
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.placeholders import fill_params
+from rcj_challenges.scenario.placeholders import OPEN, fill_generally, fill_params
 from rcj_challenges.scenario.roster import ENTRANTS, as_tuple, has_other
 from rcj_challenges.scenario.rule_effects import written_others
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
-OPEN = "…"
-"""Stands for a number that is known only when the rule fires."""
-
 _UNKNOWN_TEAM = "the team"
-_ARTICLES = ("the ", "one of ")
-"""Beginnings of words that need no article or kind beside them."""
-_KIND = "robot|ball|obstacle|gate|spot|zone|team"
-_BESIDE_A_NAME = rf"(?:\b(?:the|an?|this|that) )?(?:\b(?:{_KIND}) )?{{}}(?: (?:{_KIND})\b)?"
-"""What makes sense beside a name only: “the gate {each}”, “the {each} gate”."""
 
 
 def says_sentence(phrases: Phrasebook, rule: Rule) -> str:
-    """Return the sentence of a rule; an empty text if it has none."""
-    words = fill_params(rule, phrases.scenario.params).strip()
+    """Return the sentence of a rule for the sheet; an empty text if it has none."""
+    scenario = phrases.scenario
+    words = fill_params(rule, scenario.params, rule.for_sheet).strip()
     if not words:
         return ""
+    team, limit = _team(phrases, rule), _limit(phrases, rule)
     kind = "" if rule.for_each is None else "team" if rule.for_each == ENTRANTS else phrases.kinds_of(rule.for_each)
-    blanks = {
-        "{entity}": _entity(phrases, rule),
-        "{each}": f"the {kind or plain(rule.for_each or '')}",
-        "{other}": _other(phrases, rule),
-        "{team}": _team(phrases, rule),
-        "{measured}": _limit(phrases, rule) if all(one.measures_its_limit() for one in rule.triggers) else OPEN,
-        "{limit}": _limit(phrases, rule),
-        "{points}": OPEN,
-    }
-    if blanks["{team}"] == _UNKNOWN_TEAM:
+    each = (phrases.a_member(rule.for_each or ""), f"the {kind or plain(rule.for_each or '')}")
+    others = "the other team" if kind == "team" and len(scenario.entrants) == 2 else "the others"
+    if team == _UNKNOWN_TEAM:
         words = words.replace("{entity} of {team}", "{entity}")
-    for blank, known in blanks.items():
-        if known.startswith(_ARTICLES):
-            words = re.sub(_BESIDE_A_NAME.format(re.escape(blank)), blank, words, flags=re.IGNORECASE)
-    words = _first_of_a_group(phrases, rule, words)
-    for blank, known in blanks.items():
-        words = _filled(words, blank, known)
+    blanks = {
+        "entity": each if _is_over_entities(phrases, rule) else _entity(phrases, rule),
+        "each": each,
+        "other": (_other(phrases, rule),) * 2,
+        "others": (others,) * 2,
+        "team": (team,) * 2,
+        "measured": (limit if all(one.measures_its_limit() for one in rule.triggers) else OPEN,) * 2,
+        "limit": (limit,) * 2,
+        "points": (OPEN,) * 2,
+    }
+    named = dict.fromkeys(scenario.counters, (OPEN, OPEN))
+    named |= {name: (f"the {plain(name)}",) * 2 for name in scenario.roles}
+    words = fill_generally(words, named | blanks)
     end = "" if words.rstrip("\"'”)").endswith((".", "!", "?", "…", ":")) else "."
     return f"{words[:1].upper()}{words[1:]}{end}"
 
 
-def _filled(words: str, blank: str, known: str) -> str:
-    """Return words in which a blank is filled in; with a capital if a sentence begins with it."""
-    capital = f"{known[:1].upper()}{known[1:]}"
-    words = re.sub(rf"([.!?]\s+){re.escape(blank)}", lambda found: found[1] + capital, words)
-    return words.replace(blank, known)
-
-
-def _first_of_a_group(phrases: Phrasebook, rule: Rule, words: str) -> str:
-    """Name the group where a sentence names one of it first: “one of the red fruits”, later “the ball”.
-
-    Otherwise rules over two groups of the same kind would say the same.
-    """
-    group = rule.for_each if rule.for_each in phrases.scenario.groups else None
-    blanks = ("{each}", "{entity}") if _is_over_entities(phrases, rule) else ("{each}",)
-    first = min((blank for blank in blanks if blank in words), key=words.index, default=None)
-    if group is None or first is None or len(phrases.roster.expand(group)) <= 1:
-        return words
-    before, _, after = words.partition(first)
-    is_possessive = after.startswith(("'", "\N{RIGHT SINGLE QUOTATION MARK}"))
-    return words if is_possessive else f"{_filled(before + first, first, phrases.any_of(group))}{after}"
-
-
-def _entity(phrases: Phrasebook, rule: Rule) -> str:
-    if _is_over_entities(phrases, rule):
-        return f"the {phrases.kinds_of(rule.for_each or ())}"
+def _entity(phrases: Phrasebook, rule: Rule) -> tuple[str, str]:
+    """Return the one that the triggers are about, and how it is called later."""
     names = _concerned(phrases, rule)
-    return phrases.any_of(names) if names else "the one concerned"
+    first = listed([phrases.a_member(name) for name in names], "or") or "the one concerned"
+    return first, f"the {phrases.kinds_of(names)}" if any(map(phrases.is_several, names)) else first
 
 
 def _is_over_entities(phrases: Phrasebook, rule: Rule) -> bool:
