@@ -249,11 +249,11 @@ CHAPTERS = (
     Chapter(
         "Conditions",
         "What must hold when a trigger fires. A [value](#values) that is a number, with `at_least`, `at_most`, "
-        "`above`, `below` or `equals`, is a condition; these keys are described under `at_least`. Every condition has "
-        "`negate`.",
+        "`above`, `below` or `equals`, is a condition; these keys are described under `at_least`, and the value with "
+        "its example. A flag and a timer need no comparison: it is set, it is running. Every condition has `negate`.",
         (
-            *(word for word in _tagged(AnyCondition) if word.model.EXAMPLE),
             Word("at_least", Compared, own_example=False),
+            *(word for word in _tagged(AnyCondition) if word.model.EXAMPLE),
         ),
         "conditions",
     ),

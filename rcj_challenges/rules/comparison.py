@@ -8,7 +8,8 @@ from pydantic import create_model
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, Test, ValueWord
-from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.fields import Name, Names, Point, described
+from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.number import NumberValue
@@ -36,11 +37,12 @@ _BOUNDS = {
 
 
 class Compared(Condition):
-    """A value that is a number, compared with one bound at least.
+    """A value that is a number, compared with one bound at least; of a fact without a bound, whether it is so.
 
     Attributes:
         IS_PART: that the schema defines these fields once for all such conditions.
         VALUE: the value, whose fields the condition has too.
+        DEFINED_AS: where the schema defines all its other fields.
     """
 
     EXCLUDES: ClassVar[tuple[tuple[str, tuple[str, ...]], ...]] = (
@@ -51,6 +53,7 @@ class Compared(Condition):
     REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = tuple((key,) for key in _BOUNDS)
     IS_PART: ClassVar = True
     VALUE: ClassVar[type[NumberValue]]
+    DEFINED_AS: ClassVar[type[NumberValue]]
 
     at_least: Amount | None = described(None, "holds at this number and above")
     at_most: Amount | None = described(None, "holds at this number and below")
@@ -81,10 +84,26 @@ class Compared(Condition):
         """Return whether it compares with a value, not with a number."""
         return any(isinstance(limit, ValueWord) for _, limit in self.limits())
 
+    def is_always(self) -> bool:
+        """Return whether it holds at any time."""
+        return self.value.holds_always(self)
+
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads, if it names them."""
+        return self.value.about()
+
+    def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
+        """Return the fixed distances in m that it compares with, each with the name or point it is measured from."""
+        origin = None if self.value.is_computed() else self.value.measured_from()
+        limits = () if origin is None else (limit for _, limit in self.limits())
+        return tuple((origin, float(one)) for one in limits if origin and isinstance(one, int | float) and one > 0)
+
     # --- for the referee ----------------------------------------------------------------------------------------------
 
     def test(self, to: Binder) -> Test:
-        """Return the test of the comparison."""
+        """Return the test of the comparison, or of the fact."""
+        if not self.limits():
+            return self.test_of_each(to, lambda value: value.fact(to))
         holds = self.comparison(to)
         return self.test_of_each(to, lambda value: _test(value, to, holds))
 
@@ -117,10 +136,26 @@ class Compared(Condition):
 
     def describe(self, phrases: Phrases) -> str:
         """Return the comparison as the part of a sentence that follows ``if``."""
-        number = amount_words(phrases, self.value)
+        value = self.value
+        if not value.is_computed() and (clause := value.clause(phrases)):
+            return self._describe_clause(phrases, clause)
+        if not value.is_computed() and (words := value.describe_compared(phrases, self)):
+            return words
+        number = amount_words(phrases, value)
+        if isinstance(self.equals, ValueWord):
+            return f"{number} {'differs from' if self.negate else 'is equal to'} {amount_words(phrases, self.equals)}"
         if self.negate and (opposite := self.opposite(phrases)):
             return f"{number} is {opposite}"
         return f"{number} is {'not ' if self.negate else ''}{self.compared(phrases)}"
+
+    def _describe_clause(self, phrases: Phrases, clause: Clause) -> str:
+        subject = phrases.quantified(self.of or "any", clause.names, negate=self.negate)
+        opposite = self.opposite(phrases, clause.unit) if subject.negated else None
+        if opposite is None:
+            compared = self.compared(phrases, clause.unit, clause.where)
+            return f"{subject.does(clause.does, clause.do)} {clause.how.format(compared)}"
+        off = clause.or_off if phrases.may_be_off() else ""
+        return f"{subject.text} {clause.does} {clause.how.format(opposite + clause.where)}{off}"
 
     def compared(self, phrases: Phrases, unit: str = "", where: str = "") -> str:
         """Return the comparison: ``at least 3 and at most 5``, ``at most 0.5 m from the ball``."""
@@ -171,9 +206,11 @@ def _comparison(
 
 
 def comparison_of(value: type[NumberValue]) -> type[Compared]:
-    """Return the condition that compares a value, with the keys of both."""
+    """Return the condition that compares a value, with the keys of both; its example is that of the value."""
     name, bases = f"{value.__name__.removesuffix('Value')}Is", cast("Any", (Compared, value))
     doc = f"The value `{value.KEY}`, compared."
     model = cast("Any", create_model(name, __base__=bases, __module__=__name__, __doc__=doc))
-    model.VALUE, model.EXAMPLE, model.SENTENCE = value, "", ""
+    model.VALUE = model.DEFINED_AS = value
+    model.EXAMPLE, model.SENTENCE = "", value.COMPARED
+    model.REQUIRES = () if value.IS_FACT else Compared.REQUIRES
     return cast("type[Compared]", model)

@@ -3,8 +3,10 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from rcj_challenges.core.amounts import measure_words, number_words
+from rcj_challenges.rules.fields import Names
 
 _DIGITS = 9  # behind the point: to so many scores and counters are exact
 _MOST = 1e15  # what neither a score nor a counter exceeds
@@ -42,6 +44,25 @@ class Subject:
         if several in ("are", "were"):
             return f"{self.text} {several if self.plural else one} not"
         return f"{self.text} {'do' if self.plural else 'does'} not {several}"
+
+
+class Clause(NamedTuple):
+    """What a comparison says of things.
+
+    Attributes:
+        names: the things.
+        how: what follows the verb, with a blank for the comparison: ``at a speed of {}``.
+        unit, where: what follows each bound.
+        or_off: what the opposite of it says of what is off the field, for which no bound holds.
+    """
+
+    names: Names
+    does: str
+    do: str
+    how: str
+    unit: str = ""
+    where: str = ""
+    or_off: str = ""
 
 
 def plain(name: str) -> str:

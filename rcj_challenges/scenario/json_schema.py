@@ -228,6 +228,7 @@ class SchemaWriter:
         return {"type": "array", "prefixItems": items, "items": False, "minItems": len(items), "maxItems": len(items)}
 
     def _reference(self, model: type[BaseModel], *, partial: bool) -> _Json:
+        model = getattr(model, "DEFINED_AS", model)
         name = model.__name__.removesuffix("Model")
         required = [info.alias or key for key, info in model.model_fields.items() if info.is_required()]
         demand = {"required": required} if required else {}

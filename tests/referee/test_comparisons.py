@@ -39,6 +39,23 @@ def test_a_number_is_compared_with_numbers(stage, bounds, expected):
     assert holds(stage, f"counter: n, {bounds}") is expected
 
 
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("flag: a", True),
+        ("flag: b", False),
+        ("flag: a, equals: {flag: b}", False),
+        ("flag: a, equals: {flag: b}, negate: true", True),
+        ("flag: out, entity: robots, of: none", True),
+    ],
+)
+def test_a_flag_is_compared_with_another_or_alone(stage, condition, expected):
+    flags = "flags: {a: {initial: true}, b: {}, out: {per: robots}}"
+    play = stage(SECOND, flags, once(10, EMIT, more=f"conditions: [{{{condition}}}],"))
+    play.play(12)
+    assert bool(play.events_named("TOLD")) is expected
+
+
 @pytest.mark.parametrize("bound", ["at_least", "at_most", "above", "below", "equals"])
 def test_with_none_no_comparison_holds_and_every_negated_one_does(stage, bound):
     condition = f"counter: n, {bound}: {{distance: [Y1, ball]}}"

@@ -9,12 +9,17 @@ from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from scripts.write_reference import VOCABULARIES, Example
 
-WORDS = [(kind, word) for kind, vocabulary in VOCABULARIES.items() for word in vocabulary.words() if word.EXAMPLE]
+WORDS = [
+    (kind, word, getattr(word, "VALUE", word).EXAMPLE)
+    for kind, vocabulary in VOCABULARIES.items()
+    for word in vocabulary.words()
+    if word.SENTENCE
+]
 
 
-@pytest.mark.parametrize(("kind", "word"), WORDS, ids=[f"{kind}-{word.name()}" for kind, word in WORDS])
-def test_word_of_an_example_is_described_as_beside_it(kind, word):
-    loaded = load_text(Example(kind, (word.name(),), word.EXAMPLE).whole)
+@pytest.mark.parametrize(("kind", "word", "example"), WORDS, ids=[f"{one[0]}-{one[1].name()}" for one in WORDS])
+def test_word_of_an_example_is_described_as_beside_it(kind, word, example):
+    loaded = load_text(Example(kind, (word.name(),), word.EXAMPLE or example).whole)
     scenario, phrases = loaded.scenario, Phrasebook(loaded.scenario, loaded.roster)
     sentences = []
     for rule in (*scenario.rules.values(), None):

@@ -16,18 +16,6 @@ from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.actions.set_flag import SetFlag
 from rcj_challenges.rules.actions.timer import TimerAction
 from rcj_challenges.rules.conditions import CONDITIONS
-from rcj_challenges.rules.conditions.counter import CounterIs
-from rcj_challenges.rules.conditions.distance import DistanceIs
-from rcj_challenges.rules.conditions.draw import DrawIs
-from rcj_challenges.rules.conditions.entity import FactIs
-from rcj_challenges.rules.conditions.flag import FlagIs
-from rcj_challenges.rules.conditions.score import ScoreIs
-from rcj_challenges.rules.conditions.sequence import SequenceIs
-from rcj_challenges.rules.conditions.speed import SpeedIs
-from rcj_challenges.rules.conditions.timer import TimerIs
-from rcj_challenges.rules.conditions.told import ToldIs
-from rcj_challenges.rules.conditions.way import WayIs
-from rcj_challenges.rules.conditions.word import WordIs
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
@@ -247,20 +235,21 @@ def _one_for_each(maker: Maker, section: Data) -> None:
             section[key][name] = {maker.chance.choice(owners): value} if owners else value
 
 
+_IS = {one.name(): one for one in CONDITIONS.words()}
 _FOLDED = [one for one in CONDITIONS.words() if one.name() in FOLDS]
 
 FIT: dict[type, Callable[[Maker, Data], None]] = {
-    **dict.fromkeys((SpeedIs, DistanceIs, WayIs), _compared),
-    ScoreIs: _both(_of_one, _compared),
+    **dict.fromkeys((_IS["speed"], _IS["distance"], _IS["way"]), _compared),
+    _IS["score"]: _both(_of_one, _compared),
     **{one: _both(_folded(one.KEY), _of_one, _compared) for one in _FOLDED},
-    CounterIs: _both(_kept_each("counter"), _compared),
-    FlagIs: _kept_each("flag"),
-    TimerIs: _both(_kept_each("timer"), _one_bound),
-    ToldIs: _told_is,
-    WordIs: _both(_word, _of_one, _compared),
-    FactIs: _fact_is,
-    DrawIs: _drawn("equals"),
-    SequenceIs: _both(_kept_each("sequence"), _sequence_at),
+    _IS["counter"]: _both(_kept_each("counter"), _compared),
+    _IS["flag"]: _both(_kept_each("flag"), _one_bound),
+    _IS["timer"]: _both(_kept_each("timer"), _one_bound),
+    _IS["told"]: _told_is,
+    _IS["word"]: _both(_word, _of_one, _compared),
+    _IS["entity"]: _fact_is,
+    _IS["draw"]: _drawn("equals"),
+    _IS["sequence"]: _both(_kept_each("sequence"), _sequence_at),
     Place: _place,
     places.Placing: _kick,
     Score: _bounded,
@@ -278,7 +267,7 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     **dict.fromkeys((WordValue, NumberWord), _word),
     **{model: _folded(model.KEY) for model in (HighestValue, LowestValue, SumValue)},
     CountValue: _counted,
-    next(one for one in CONDITIONS.words() if one.name() == "count"): _both(_counted, _of_one, _compared),
+    _IS["count"]: _both(_counted, _of_one, _compared),
     FactValue: _fact_is,
     scenario.Expectation: _expected,
 }

@@ -4,10 +4,10 @@ from typing import Annotated
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.kept import asked, kept, test_of_kept
 from rcj_challenges.rules.phrasing import quoted
-from rcj_challenges.rules.quantifier import Quantifier
+from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ENTITIES, SEQUENCE, Ref
+from rcj_challenges.rules.values.kept import owners_asked
 
 
 class SequenceIs(Condition):
@@ -52,19 +52,18 @@ expect:
     SENTENCE = "at least 2 of the yellow robots have a sequence “across” that stands at the west"
 
     def test(self, to: Binder) -> Test:
-        trackers = to.sequences(self.sequence)
-        everyone = tuple(trackers.values())
-        (step,) = to.members(self.equals)
-
-        def test(whose: str | None) -> bool:
-            asked = everyone if whose is None else (trackers[whose],)
-            return any(tracker.reached == step for tracker in asked)
-
-        return test_of_kept(self, to, "sequences", self.sequence, trackers, test)
+        trackers, of, (step,) = to.sequences(self.sequence), self.of, to.members(self.equals)
+        if of is None and self.entity is None:
+            owners = to.owners("sequences", self.sequence, None)
+            read = tuple(trackers[one] for one in (trackers if owners is None else owners))
+            return lambda: any(tracker.reached == step for tracker in read)
+        _, members_now = to.group_of_owners("sequences", self.sequence, self.entity or tuple(filter(None, trackers)))
+        return lambda: quantified(of or "any", (trackers[member].reached == step for member in members_now()))
 
     def describe(self, phrases: Phrases) -> str:
-        subject, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.equals)
+        entity, step = self.entity, phrases.thing(self.equals)
+        subject = owners_asked(phrases, "sequence", self.sequence, entity, self.of, negate=self.negate)
         if subject is not None:
             return f"{subject.does('has', 'have')} a sequence {quoted(self.sequence)} that stands at {step}"
-        stands = "does not stand" if self.negate else "stands"
-        return f"{kept(phrases, self, 'sequence', self.sequence)} {stands} at {step}"
+        sequence = phrases.kept("sequence", self.sequence, entity if isinstance(entity, str) else None)
+        return f"{sequence} {'does not stand' if self.negate else 'stands'} at {step}"

@@ -47,6 +47,8 @@ _NUMBERS = (
     LowestValue,
     SumValue,
 )
+COMPARABLE = (*(word for word in _NUMBERS if word is not ReportedValue), NumberWord)
+"""Values whose comparison has nothing of its own."""
 NUMBERS.add(*_NUMBERS, NumberDraw, NumberWord, FactValue)  # the last one: its key stands beside those of others
 
 VALUES = KeyedVocabulary({"literal": Scalar}, lambda _value: "literal")
@@ -155,7 +157,7 @@ def limit_words(phrases: Phrases, limit: Amount, written: Callable[[float], str]
 
 
 __all__ = (
-    "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Angle", "Lasts", "Limit", "Value", "Waits", "amount_words",
-    "compile_amount", "compile_duration", "compile_limit", "compile_value", "duration_words", "every_words",
-    "is_calculated", "limit_key", "limit_words", "longest_s", "value_words",
+    "COMPARABLE", "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Angle", "Lasts", "Limit", "Value", "Waits",
+    "amount_words", "compile_amount", "compile_duration", "compile_limit", "compile_value", "duration_words",
+    "every_words", "is_calculated", "limit_key", "limit_words", "longest_s", "value_words",
 )  # fmt: skip

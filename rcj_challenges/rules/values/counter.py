@@ -1,12 +1,17 @@
 """The value ``counter``."""
 
 from collections.abc import Callable
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
-from rcj_challenges.rules.base import Number, Phrases, Scope
+from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import COUNTER
 from rcj_challenges.rules.values.kept import KeptValue
+from rcj_challenges.rules.values.number import amount_words
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.comparison import Compared
 
 
 class CounterValue(KeptValue):
@@ -21,6 +26,7 @@ counters: {goals: {}}
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{counter: goals, below: 5}]
     actions:
       - {action: count, counter: goals}
       # The first goal gives 1 point, the second 2.
@@ -36,6 +42,7 @@ expect:
     events: [{event: GOAL, payload: {goals: 1, score: 1}}, {event: GOAL, payload: {goals: 2, score: 3}}]
 """
     SENTENCE = "the counter “goals”"
+    COMPARED = "the counter “goals” is less than 5"
 
     def now(self, to: Scope) -> Callable[[], Number | None]:
         state, name, whose = to.state, self.counter, self.whose(to)
@@ -43,3 +50,11 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         return self.kept_words(phrases)
+
+    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+        subject = self.several(phrases, by)
+        if subject is None:
+            return ""
+        how = f"equal to {amount_words(phrases, by.equals)}" if isinstance(by.equals, ValueWord) else None
+        counter = f"a counter {quoted_measure(self.counter)}"
+        return f"{subject.does('has', 'have')} {counter} {how or f'of {by.compared(phrases)}'}"

@@ -7,6 +7,7 @@ from pydantic import Field
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import MM_DIGITS, Name, Names, Point, described, is_named
+from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import MEASURED_TO
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -28,22 +29,41 @@ class DistanceValue(NumberValue):
     DIGITS = MM_DIGITS
     UNIT = "m"
     EXAMPLE = """
+gates: {line: {from_m: [-0.3, 0.3], to_m: [0.3, 0.3]}}
+zones: {edge: {shape: rect, x_min_m: -0.5, x_max_m: 0.5, inverted: true}}
 rules:
-  brought:
-    triggers: [{trigger: time_reached, at_s: 3}]
-    # 25 points, less 10 for each metre from the centre.
+  open_goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{distance: [blue, ball], at_least: 0.3, of: all}]
+    actions: [{action: emit, event: OPEN_GOAL}]
+  stopped_near_the_line:
+    triggers: [{trigger: holds, conditions: [{speed: ball, at_most: 0.01}], for_s: 0.5}]
+    conditions:
+      - {distance: [ball, line], at_most: 0.2}
+      - {distance: [ball, edge], at_least: 0.1}
     actions:
-      - {action: score, entrant: yellow, points: {distance: [ball, centre], times: -10, plus: 25}}
-      - {action: emit, event: BROUGHT, payload: {distance_m: {distance: [ball, centre]}}}
-    says: The ball has been delivered; {points} points.
+      # The nearer to the line, the more points: 10 on it, 8 at 10 cm.
+      - {action: score, entrant: yellow, points: {distance: [ball, line], times: -20, plus: 10}}
+      - {action: emit, event: STOPPED, payload: {far_m: {distance: [ball, line]}, edge_m: {distance: [ball, edge]}}}
+    says: The ball has stopped near the line; {points} points.
 expect:
-  at_10_cm_it_gives_24_points:
-    keyframes: [{at_s: 2, place: {ball: [0.1, 0]}}]
-    lasts_s: 4
-    score: {yellow: 24}
-    events: [{event: BROUGHT, payload: {distance_m: 0.1}}]
+  no_blue_robot_is_near:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8], B1: [0.5, 0], B2: [-0.5, 0], B3: [0, 0]}}]
+    lasts_s: 2
+    events: [{event: OPEN_GOAL}]
+  at_10_cm_it_gives_8_points:
+    keyframes: [{at_s: 1, place: {ball: [-0.2, 0.4]}}]
+    lasts_s: 2
+    score: {yellow: 8}
+    events: [{event: STOPPED, payload: {far_m: 0.1, edge_m: 0.3}}]
+  too_near_to_the_edge_it_gives_none:
+    keyframes: [{at_s: 1, place: {ball: [0.45, 0.3]}}]
+    lasts_s: 2
+    events: []
 """
-    SENTENCE = "the distance between the ball and the spot “centre” in m"
+    SENTENCE = "the distance between the ball and the gate “line” in m"
+    COMPARED = "all of the blue robots are at least 0.3 m from the ball"
+    ASKS_WHERE = True
 
     def now(self, to: Scope) -> Callable[[], float | None]:
         read = self._measure(to)
@@ -98,3 +118,16 @@ expect:
         other = phrases.point(there, here)
         inside = any(isinstance(end, str) and phrases.may_be_zone(end) for end in self.distance)
         return f"the distance between {one} and {other} in {self.UNIT}" + (" (0 inside)" if inside else "")
+
+    def about(self) -> Names | None:
+        return self.named() or None
+
+    def measured_from(self) -> Name | Point:
+        return self.distance[1]
+
+    def clause(self, phrases: Phrases) -> Clause | None:
+        here, there = self.distance
+        if not is_named(here):
+            return None
+        where, off = f" from {phrases.point(there, here)}", ", or one of the two is off the field"
+        return Clause(here, "is", "are", "{}", " m", where, off)

@@ -1,13 +1,16 @@
 """The value ``flag``."""
 
 from collections.abc import Callable
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrasing import number
+from rcj_challenges.rules.phrasing import number, quoted
 from rcj_challenges.rules.refs import FLAG
 from rcj_challenges.rules.values.kept import KeptValue
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.comparison import Compared
 
 
 class FlagValue(KeptValue):
@@ -27,17 +30,23 @@ rules:
       - {action: score, entrant: yellow, points: {flag: bonus, times: 5, plus: 1}}
       - {action: emit, event: GOAL, payload: {with_bonus: {flag: bonus}}}
       - {action: set_flag, flag: bonus, to: false}
+  last:
+    triggers: [{trigger: time_reached, at_s: 10}]
+    conditions: [{flag: bonus}]
+    actions: [{action: emit, event: STILL_OPEN}]
 expect:
   the_first_goal_pays_the_bonus:
     keyframes:
       - {at_s: 1, place: {ball: [0, 0.8]}}
       - {at_s: 2, place: {ball: [0, 0]}}
       - {at_s: 3, place: {ball: [0, 0.8]}}
-    lasts_s: 4
+    lasts_s: 11
     score: {yellow: 7}
     events: [{event: GOAL, payload: {with_bonus: true}}, {event: GOAL, payload: {with_bonus: false}}]
 """
     SENTENCE = "whether the flag “bonus” is set"
+    COMPARED = "the flag “bonus” is set"
+    IS_FACT = True
 
     def now(self, to: Scope) -> Callable[[], bool]:
         state, name, whose = to.state, self.flag, self.whose(to)
@@ -51,3 +60,11 @@ expect:
 
     def describe_times(self, phrases: Phrases, factor: float) -> str:
         return f"{number(factor)} if {self.kept_words(phrases)} is set"
+
+    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+        if by.limits():
+            return ""
+        subject = self.several(phrases, by)
+        if subject is not None:
+            return f"{subject.does('has', 'have')} the flag {quoted(self.flag)} set"
+        return f"{self.kept_words(phrases)} is {'not ' if by.negate else ''}set"

@@ -1,13 +1,17 @@
 """What the values of counters, flags and timers share: each of them may be kept per entity."""
 
 from collections.abc import Callable
-from typing import Annotated, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrasing import quoted_measure
+from rcj_challenges.rules.phrasing import Subject, quoted_measure
+from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import WHOSE
 from rcj_challenges.rules.values.number import NumberValue
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.comparison import Compared
 
 
 class KeptValue(NumberValue):
@@ -63,5 +67,22 @@ class KeptValue(NumberValue):
         return f"{self.KEY} {quoted_measure(self.kept)} of {phrases.all_of(owners).text}"
 
     def kept_words(self, phrases: Phrases) -> str:
-        """Return it with whose it is: ``the counter “laps” of Y1``."""
-        return phrases.kept(self.KEY, self.kept, self.one_entity())
+        """Return it with whose it is: ``the counter “laps” of Y1``; of one of several without that."""
+        return phrases.kept(self.KEY, self.kept, self.entity if isinstance(self.entity, str) else None)
+
+    def several(self, phrases: Phrases, by: "Compared") -> Subject | None:
+        """Return the owners of whose values a condition is; None where one value is read, or all as one."""
+        return owners_asked(phrases, self.KEY, self.kept, self.entity, by.of, negate=by.negate)
+
+
+def owners_asked(
+    phrases: Phrases, kind: str, name: str, entity: Names | None, of: Quantifier | None, *, negate: bool
+) -> Subject | None:
+    """Return the names of several that have a value each; None where one value is read, or all as one."""
+    if of is None and entity is None and phrases.one_of_owners(kind, name) == "each":
+        return None
+    together = of is None and entity is None and kind != "counter" and phrases.owners(kind, name) is not None
+    is_one = entity is None or phrases.is_one_owner(kind, name, entity)
+    if (of is None and is_one and not together) or entity == "each":
+        return None
+    return phrases.quantified(of or "any", entity or phrases.keepers(kind, name) or (), negate=negate)

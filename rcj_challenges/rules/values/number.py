@@ -7,14 +7,17 @@ of an empty group. Calculating with none gives none, unless ``otherwise`` stands
 from collections.abc import Callable
 from math import ceil, floor
 from operator import add, mul, sub
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 from pydantic import Field
 
 from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
-from rcj_challenges.rules.base import Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, ValueWord
-from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrasing import number, whole_seconds
+from rcj_challenges.rules.base import Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, Test, ValueWord
+from rcj_challenges.rules.fields import Name, Names, Point, described
+from rcj_challenges.rules.phrasing import Clause, number, whole_seconds
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.comparison import Compared
 
 NUMBERS = KeyedVocabulary({"number": int | float}, lambda _value: "number")
 Amount = Annotated[int | float | ValueWord, NUMBERS]
@@ -36,11 +39,15 @@ class NumberValue(ValueWord):
         IS_PART: that the schema defines these fields once for all such values.
         OVER: the field in which ``highest``, ``lowest`` and ``sum`` put each member of a group; empty: it has none.
         DIGITS: to how many digits behind the point it is compared with another value; None: to all.
+        COMPARED: how the rule sheet describes the condition in the example that compares it.
+        IS_FACT: whether it is a condition without a comparison too.
     """
 
     IS_PART: ClassVar = True
     OVER: ClassVar = ""
     DIGITS: ClassVar[int | None] = None
+    COMPARED: ClassVar = ""
+    IS_FACT: ClassVar = False
 
     otherwise: Amount | None = described(
         None, "the number where there is none: of what is off the field, or was never sent"
@@ -127,6 +134,32 @@ class NumberValue(ValueWord):
     def of_member(self, member: str) -> Self:
         """Return the value of one member."""
         return self.model_copy(update={self.OVER: member})
+
+    # --- as a condition -----------------------------------------------------------------------------------------------
+
+    def fact(self, to: Scope) -> Test:
+        """Return the test of a value that is a fact."""
+        return self.now(to)
+
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads, if it names them."""
+        return None
+
+    def measured_from(self) -> Name | Point | None:
+        """Return the name or point from which a distance is measured; None of any other value."""
+        return None
+
+    def holds_always(self, _by: "Compared") -> bool:
+        """Return whether its comparison holds at any time."""
+        return False
+
+    def clause(self, _phrases: Phrases) -> Clause | None:
+        """Return what its comparison says of things; None: as of all numbers."""
+        return None
+
+    def describe_compared(self, _phrases: Phrases, _by: "Compared") -> str:
+        """Return its comparison as the part of a sentence that follows ``if``; empty: as of all numbers."""
+        return ""
 
     # --- for the sheet ------------------------------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import SCORED
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -31,18 +32,24 @@ rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     # The team that is behind gets as many points as it lacks, and one more.
+    conditions: [{score: yellow, below: {score: blue}}]
     actions:
       - action: score
         entrant: yellow
-        points: {highest: [{score: blue, minus: {score: yellow}, plus: 1}, 1]}
+        points: {score: blue, minus: {score: yellow}, plus: 1}
 expect:
   four_behind_gives_five:
     given: {score: {blue: 4}}
     keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
     lasts_s: 2
     score: {yellow: 5, blue: 4}
+  else_it_gets_none:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    score: {yellow: 0}
 """
     SENTENCE = "the score of blue"
+    COMPARED = "the score of yellow is less than the score of blue"
 
     def as_it_is(self, to: Scope) -> Reader:
         scores, entrants = to.state.scores, to.entrants(self.score)
@@ -60,3 +67,6 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         since = {None: "", "half": f" in this {phrases.period}", "phase": " in this phase"}[self.since]
         return f"the score of {phrases.entrant(self.score)}{since}"
+
+    def clause(self, _phrases: Phrases) -> Clause | None:
+        return Clause(self.score, "has", "have", "a score of {}") if self.score == "entrants" else None

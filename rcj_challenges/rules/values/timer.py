@@ -1,14 +1,18 @@
 """The value ``timer``."""
 
 from collections.abc import Callable
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.rules.base import Phrases, Scope
+from rcj_challenges.rules.base import Phrases, Scope, Test
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import TIMER
 from rcj_challenges.rules.values.kept import KeptValue
+from rcj_challenges.tracking.state import Clock
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.comparison import Compared
 
 
 class TimerValue(KeptValue):
@@ -25,6 +29,8 @@ counters: {run_s: {}}
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    # Running (one that has expired is not), and for at most 15 s; a timer that has never run is at 0.
+    conditions: [{timer: attempt}, {timer: attempt, at_most: 15}]
     actions:
       # 20 points, less 1 for each whole second.
       - {action: score, entrant: yellow, points: {timer: attempt, times: -1, plus: 20, round: up}}
@@ -39,16 +45,38 @@ expect:
     events: [{event: GOAL, payload: {after_s: 5.504}}]
 """
     SENTENCE = "the time in s that the timer “attempt” has run"
+    COMPARED = "the timer “attempt” has run for at most 15 s"
+    IS_FACT = True
 
     def now(self, to: Scope) -> Callable[[], float]:
-        state, clocks = to.state, to.state.timers[self.timer]
-        whose = self.whose(to)
-        read = tuple(clocks.values()) if whose is None else (clocks[whose],)
-        return lambda: s_from_ticks(max(clock.ticks(state.tick) for clock in read))
+        state, clocks = to.state, self._clocks(to)
+        return lambda: s_from_ticks(max(clock.ticks(state.tick) for clock in clocks))
+
+    def fact(self, to: Scope) -> Test:
+        state, clocks = to.state, self._clocks(to)
+        return lambda: any(clock.running(state.tick) for clock in clocks)
+
+    def _clocks(self, to: Scope) -> tuple[Clock, ...]:
+        clocks, whose = to.state.timers[self.timer], self.whose(to)
+        return tuple(clocks.values()) if whose is None else (clocks[whose],)
 
     def describe(self, phrases: Phrases) -> str:
+        return f"the time in {self.UNIT} that {self._longest(phrases)} has run"
+
+    def _longest(self, phrases: Phrases) -> str:
+        """Return the timer; of those of several the one that has run longest."""
         owners = None if self.entity else phrases.owners("timer", self.timer)
-        timer = self.kept_words(phrases)
-        if owners is not None:
-            timer = f"the longest running timer {quoted(self.timer)} of {phrases.all_of(owners).text}"
-        return f"the time in {self.UNIT} that {timer} has run"
+        if owners is None:
+            return self.kept_words(phrases)
+        return f"the longest running timer {quoted(self.timer)} of {phrases.all_of(owners).text}"
+
+    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+        subject, run_for, no = self.several(phrases, by), by.compared(phrases, " s"), " not" * by.negate
+        if not run_for and subject is None:
+            return f"{self.kept_words(phrases)} is{no} running"
+        if subject is not None and (by.of is not None or self.entity is not None or not run_for):
+            article, state = ("a", f"that has run for {run_for}") if run_for else ("the", "running")
+            return f"{subject.does('has', 'have')} {article} timer {quoted(self.timer)} {state}"
+        timer = self.kept_words(phrases) if subject is None else self._longest(phrases)
+        opposite = by.opposite(phrases, " s") if by.negate else None
+        return f"{timer} has run for {opposite}" if opposite else f"{timer} has{no} run for {run_for}"

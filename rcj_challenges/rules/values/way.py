@@ -5,6 +5,7 @@ from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import MM_DIGITS, Names, described
+from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import ENTITY
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -32,7 +33,8 @@ rules:
     actions: [{action: count, counter: way_before_m, to: {way: ball}}]
   brought:
     triggers: [{trigger: stays_in, entity: ball, zone: blue_goal, limit_s: 0.5}]
-    # 10 points, less 2 for each metre that the ball has travelled since it was taken.
+    # 10 points, less 2 for each metre that the ball has travelled since it was taken; none if it was carried for 5 m.
+    conditions: [{way: ball, below: 5}]
     actions:
       - action: score
         entrant: yellow
@@ -50,6 +52,7 @@ expect:
     events: [{event: BROUGHT, payload: {in_all_m: 1.2}}]
 """
     SENTENCE = "the way of the ball in this half in m"
+    COMPARED = "the ball has a way in this half of less than 5 m"
 
     def now(self, to: Scope) -> Callable[[], float]:
         ways, entity = to.state.ways, to.entities(self.way)[0]
@@ -63,3 +66,6 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.owned('way', self.way)} in this {phrases.period} in {self.UNIT}"
+
+    def clause(self, phrases: Phrases) -> Clause:
+        return Clause(self.way, "has", "have", f"a way in this {phrases.period} of {{}}", " m")

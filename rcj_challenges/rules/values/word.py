@@ -1,7 +1,7 @@
 """The value ``word``: a fact of the match."""
 
 from collections.abc import Callable
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 from rcj_challenges.core.amounts import plain
 from rcj_challenges.core.timing import s_from_ticks
@@ -11,6 +11,9 @@ from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import ENTRANT
 from rcj_challenges.rules.values.number import NumberValue, as_number
 from rcj_challenges.tracking.state import RefereeState
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.comparison import Compared
 
 
 class WordValue(NumberValue):
@@ -32,6 +35,7 @@ class WordValue(NumberValue):
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{word: halftime, equals: 1}]
     actions:
       # 60 points, less 1 for each whole second: 9.9 s counts as 9.
       - {action: score, entrant: yellow, points: {word: time_s, times: -1, plus: 60, round: up}}
@@ -44,6 +48,7 @@ expect:
     events: [{event: GOAL, payload: {team: Yellow, half: 1}}]
 """
     SENTENCE = "the time in s"
+    COMPARED = "it is half 1"
 
     def stands_for(self, bound: str) -> bool:
         return bound == FACTS[self.word].about and (self.of is None or bound == "other")
@@ -73,6 +78,28 @@ class NumberWord(WordValue):
     of: Annotated[Name | None, ENTRANT] = described(
         None, "for score: the entrant; if omitted: that of the current entity"
     )
+
+    def holds_always(self, by: "Compared") -> bool:
+        """Return whether it holds in any half, as rules say it that count time."""
+        return self._is_plain_half(by) and by.at_least == 1 and len(by.limits()) == 1 and not by.negate
+
+    def _is_plain_half(self, by: "Compared") -> bool:
+        is_half = self.word == "halftime" and not self.is_computed() and by.above is None and by.below is None
+        return is_half and all(isinstance(limit, int) for _, limit in by.limits())
+
+    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+        if not self._is_plain_half(by):
+            return ""
+        half = phrases.period
+        if by.at_least is not None and by.at_least == by.at_most:
+            which = f"{half} {by.at_least}"
+        elif by.at_least is not None and by.at_most is not None:
+            which = f"one of the {half.many} {by.at_least} to {by.at_most}"
+        elif by.at_least is not None:
+            which = f"{half} {by.at_least} or a later one"
+        else:
+            which = f"{half} {by.equals}" if by.at_most is None else f"{half} {by.at_most} or an earlier one"
+        return f"it is {'not ' if by.negate else ''}{which}"
 
 
 def entrant_of(state: RefereeState, firing: Firing, of: str | None) -> str:

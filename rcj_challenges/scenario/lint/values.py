@@ -8,13 +8,13 @@ from math import pi, radians
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.conditions.distance import DistanceIs
-from rcj_challenges.rules.conditions.speed import SpeedIs
-from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import MAX_KICK_MPS
 from rcj_challenges.rules.values import longest_s
+from rcj_challenges.rules.values.distance import DistanceValue
+from rcj_challenges.rules.values.speed import SpeedValue
+from rcj_challenges.rules.values.way import WayValue
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.halves import MAX_LENGTHS, clock_may_stop, longest_half_s
 from rcj_challenges.scenario.kits import chassis_of
@@ -104,8 +104,9 @@ class NeverReached(LintRule, code="never-reached"):
         fastest_mps = max(self._PUSHED * drives_mps, 2 * MAX_KICK_MPS)
         too_fast = f"the fastest robot drives {drives_mps:g} m/s"
         for model, path in ctx.models:
-            keys = ("at_least", "above", "equals") if isinstance(model, DistanceIs | SpeedIs) else self._LENGTHS
-            most, unit, why = (fastest_mps, "m/s", too_fast) if isinstance(model, SpeedIs) else (across_m, "m", too_far)
+            is_speed = isinstance(model, SpeedValue)
+            keys = ("at_least", "above", "equals") if is_speed or isinstance(model, DistanceValue) else self._LENGTHS
+            most, unit, why = (fastest_mps, "m/s", too_fast) if is_speed else (across_m, "m", too_far)
             for key in keys if path[:1] in (("rules",), ("placements",)) else ():
                 limit = getattr(model, key, None)
                 if isinstance(limit, int | float) and limit > most:
@@ -121,7 +122,7 @@ class ExactMeasurement(LintRule, code="exact-measurement"):
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for model, path in ctx.models:
             limit = getattr(model, "equals", None)
-            is_measured = isinstance(model, SpeedIs) or (isinstance(model, DistanceIs | WayIs) and limit != 0)
+            is_measured = isinstance(model, SpeedValue) or (isinstance(model, DistanceValue | WayValue) and limit != 0)
             if is_measured and isinstance(limit, int | float):
                 yield self.at((*path, "equals"), limit=limit)
 
