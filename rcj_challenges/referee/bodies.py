@@ -26,8 +26,8 @@ _SOLID_M = 10.0
 
 
 def wall_parts(field: FieldModel) -> tuple[Part, ...]:
-    """Return everything solid around the field: side and end walls, corner walls, goals."""
-    x, y, far = field.width_m / 2, field.length_m / 2, _SOLID_M
+    """Return everything solid around the floor: side and end walls, corner walls, goals."""
+    x, y, far = field.bounds.width_m / 2, field.bounds.length_m / 2, _SOLID_M
     parts = [_box(x, x + far, -y - far, y + far), _box(-x - far, -x, -y - far, y + far)]
     for end, sign in (("positive_y", 1.0), ("negative_y", -1.0)):
         goals = [goal for goal in field.goals.values() if goal.end == end]
@@ -37,7 +37,7 @@ def wall_parts(field: FieldModel) -> tuple[Part, ...]:
         parts += [_box(half, x + far, low, high), _box(-x - far, -half, low, high)]
         back_low, back_high = sorted((sign * (y + depth), sign * (y + far)))
         parts.append(_box(-half, half, back_low, back_high) if goals else _box(-x, x, low, high))
-    cut = field.corner_cut_m
+    cut = field.cut_m
     if cut > 0:
         parts += [
             Part(counter_clockwise(((sx * (x - cut), sy * y), (sx * x, sy * (y - cut)), (sx * x, sy * y))))
@@ -77,8 +77,9 @@ class Bodies:
         self.fixed = tuple(fixed)
         # With where they reach from and to, so that few have to be looked at closely.
         self._walls = [(*extent([wall]), wall) for wall in wall_parts(scenario.field)]
-        deepest_m = max((goal.depth_m for goal in scenario.field.goals.values()), default=0.0)
-        self.half_box_m = (scenario.field.width_m / 2, scenario.field.length_m / 2 + deepest_m)
+        field = scenario.field.bounds
+        deepest_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
+        self.half_box_m = (field.width_m / 2, field.length_m / 2 + deepest_m)
 
     def fits(self, entity: int, pose: Pose2, others: dict[int, Pose2], clearance_m: float) -> bool:
         """Return whether an entity, given by its index, can stand at a pose beside others.

@@ -15,8 +15,8 @@ Corners = tuple[Point, ...]
 
 
 def floor_parts(field: FieldModel) -> list[Corners]:
-    """Return the convex parts of the floor inside the walls: the field, then its goals, counter-clockwise."""
-    x, y, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
+    """Return the convex parts of the floor, inside the walls if any: the field, then its goals, counter-clockwise."""
+    x, y, cut = field.bounds.width_m / 2, field.bounds.length_m / 2, field.cut_m
     octagon = ((x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut), (-x, cut - y), (cut - x, -y))
     parts: list[Corners] = [(*octagon, (x - cut, -y))]
     for goal in field.goals.values():

@@ -86,6 +86,7 @@ class Roster:
             values={name: draw.values for name, draw in scenario.draws.items()},
             teams={name: tuple(entrant.robots) for name, entrant in scenario.entrants.items()},
             roles={name: as_tuple(role.of) for name, role in scenario.roles.items()},
+            walls=scenario.field.walls,
         )
 
     @classmethod
@@ -109,6 +110,7 @@ class Roster:
             values={name: texts(node_at(root, ("draws", name, "values"))) for name in sections.get("draws", ())},
             teams={name: _keys(root, ENTRANTS, name, "robots") for name in sections.get(ENTRANTS, ())},
             roles={name: texts(node_at(root, ("roles", name, "of"))) for name in sections.get("roles", ())},
+            walls=_leaf(root, "field", WALLS) is not False,
         )
 
     def names(self, section: str) -> tuple[str, ...]:
@@ -232,6 +234,7 @@ def _roster(
     values: Mapping[str, tuple[Scalar, ...]],
     teams: dict[str, tuple[str, ...]],
     roles: Mapping[str, tuple[str, ...]],
+    walls: bool,
 ) -> Roster:
     robots, balls, obstacles = (sections.get(section, ()) for section in ("robots", "balls", "obstacles"))
     entities = (*robots, *balls, *(name for name in obstacles if name in movable))
@@ -242,8 +245,9 @@ def _roster(
             kinds.setdefault(name, kind)  # a name that is given twice is an error; the first one counts
     for name in obstacles:
         kinds.setdefault(name, "obstacle" if name in movable else "fixed obstacle")
-    kinds[WALLS] = WALLS
-    groups: dict[str, tuple[str, ...]] = {"robots": robots, "balls": balls, "obstacles": obstacles, WALLS: (WALLS,)}
+    groups: dict[str, tuple[str, ...]] = {"robots": robots, "balls": balls, "obstacles": obstacles}
+    if walls:
+        kinds[WALLS], groups[WALLS] = WALLS, (WALLS,)
     groups[ENTRANTS] = tuple(dict.fromkeys(robot for team in teams.values() for robot in team))
     for name, colour in colours.items():
         if colour not in kinds:  # which is an error

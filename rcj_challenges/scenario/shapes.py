@@ -32,8 +32,8 @@ def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
 def visible_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
     """Return the part of a zone's outline that is drawn, without regard to ``inverted``; empty if there is none.
 
-    A zone with an open side ends at the walls, because it would cover the goals and everything around the field. If it
-    begins behind the floor, it ends where the goals do.
+    A zone with an open side ends at the edges of the field, because it would cover the goals and all that is around.
+    If it begins behind the field, it ends where the goals do.
     """
     if any(abs(part) >= _FAR_M for point in _whole_outline(zone) for part in point):
         depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
@@ -43,8 +43,8 @@ def visible_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
 
 
 def floor_of(field: FieldModel) -> list[Point]:
-    """Return the outline of the floor inside the walls, without the goals."""
-    w, h, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
+    """Return the outline of the field inside its walls or edges, without the goals."""
+    w, h, cut = field.width_m / 2, field.length_m / 2, field.cut_m
     return [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
             (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
 
@@ -58,11 +58,11 @@ def goal_floor(goal: Goal, field: FieldModel) -> list[Point]:
 
 
 def floor_outline(zone: Zone, field: FieldModel) -> list[Point]:
-    """Return the outline of the part of a zone that lies on the floor; empty if none of it does."""
+    """Return the outline of the part of a zone that lies on the field; empty if none of it does."""
     w, h = field.width_m / 2, field.length_m / 2
     outline = zone_outline(zone, (-w, -h, w, h))
-    for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1)) if field.corner_cut_m else ():
-        outline = _beyond(outline, (x * (w - field.corner_cut_m), y * h), (-x, -y))
+    for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1)) if field.cut_m else ():
+        outline = _beyond(outline, (x * (w - field.cut_m), y * h), (-x, -y))
     return outline
 
 

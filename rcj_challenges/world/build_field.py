@@ -58,9 +58,11 @@ def add_floor(spec: mujoco.MjSpec, field: FieldModel) -> None:
 
 
 def add_walls(spec: mujoco.MjSpec, field: FieldModel) -> None:
-    """Add walls, corner walls and goals."""
-    for block in wall_blocks(field):
-        _add_block(spec, block, field.friction)
+    """Add walls, corner walls and goals, or the border of the floor of a field without walls."""
+    for block in wall_blocks(field.bounds):
+        geom = _add_block(spec, block, field.friction)
+        if not field.walls:
+            geom.group = contact.GROUP_BORDER
 
 
 def add_fixed_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Obstacle, friction: float) -> None:
@@ -92,7 +94,7 @@ def wall_blocks(field: FieldModel) -> Iterator[Block]:
     for end, sign in (("positive_y", 1), ("negative_y", -1)):
         goal = next((goal for goal in field.goals.values() if goal.end == end), None)
         yield from _end_blocks(end, sign, goal, field)
-    if field.corner_cut_m > 0:
+    if field.cut_m > 0:
         yield from _corner_blocks(field)
 
 
@@ -160,7 +162,7 @@ def _obstacle_block(name: str, obstacle: Box | Wall) -> Block:
     )
 
 
-def _add_block(spec: mujoco.MjSpec, block: Block, friction: float) -> None:
+def _add_block(spec: mujoco.MjSpec, block: Block, friction: float) -> mujoco.MjsGeom:
     geom = spec.worldbody.add_geom(
         name=block.name,
         type=mujoco.mjtGeom.mjGEOM_BOX,
@@ -169,6 +171,7 @@ def _add_block(spec: mujoco.MjSpec, block: Block, friction: float) -> None:
         quat=[math.cos(block.yaw_rad / 2), 0, 0, math.sin(block.yaw_rad / 2)],
     )
     _make_fixture(geom, friction)
+    return geom
 
 
 def _make_fixture(geom: mujoco.MjsGeom, friction: float) -> None:

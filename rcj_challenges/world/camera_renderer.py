@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 
 from rcj_challenges.devices.base import Eye, Seen
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.positions import at_start
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.shapes import floor_of, floor_outline, goal_floor
+from rcj_challenges.scenario.shapes import SPOT_M, floor_of, floor_outline, goal_floor
 from rcj_challenges.world.build_field import WALL_THICKNESS_M
 from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.recognition import Recognition
@@ -304,7 +305,8 @@ class _FloorMap:
     def __init__(self, scenario: Scenario, number_of: Callable[[str], int]) -> None:
         field = scenario.field
         depth_m = max([goal.depth_m for goal in field.goals.values()], default=0.0) + WALL_THICKNESS_M
-        self._x0, self._y0 = -field.width_m / 2 - WALL_THICKNESS_M, -field.length_m / 2 - depth_m
+        floor = field.bounds
+        self._x0, self._y0 = -floor.width_m / 2 - WALL_THICKNESS_M, -floor.length_m / 2 - depth_m
         self._x, self._y = (self._x0 + _cells(-2 * self._x0))[:, None], self._y0 + _cells(-2 * self._y0)
         self._cells = np.full((len(self._x), len(self._y)), FLOOR, np.uint8)
         for goal in field.goals.values():
@@ -318,17 +320,20 @@ class _FloorMap:
             self._draw([(-field.width_m / 2, 0.0), (field.width_m / 2, 0.0)], LINE)
         self._draw([*floor_of(field), floor_of(field)[0]], LINE)
         for zone in scenario.zones.values():
-            if zone.drawn and (outline := floor_outline(zone, field)):
+            if zone.drawn and (outline := floor_outline(at_start(zone, scenario), floor)):
                 self._draw([*outline, outline[0]], LINE if zone.colour is None else number_of(zone.colour))
+        for spot in (spot for spot in scenario.spots.values() if spot.drawn):
+            at = (spot.x_m, spot.y_m)
+            self._draw([at, at], LINE if spot.colour is None else number_of(spot.colour), 2 * SPOT_M)
         self._ways: dict[_Lens, tuple[NDArray[np.float64], NDArray[np.float64], int]] = {}
 
-    def _draw(self, points: Sequence[Point], colour: int) -> None:
+    def _draw(self, points: Sequence[Point], colour: int, width_m: float = LINE_M) -> None:
         for (ax, ay), (bx, by) in pairwise(points):
             dx, dy = bx - ax, by - ay
             length2 = dx * dx + dy * dy or 1.0
             share = np.clip(((self._x - ax) * dx + (self._y - ay) * dy) / length2, 0.0, 1.0)
             off_x, off_y = self._x - ax - share * dx, self._y - ay - share * dy
-            self._cells[off_x * off_x + off_y * off_y <= LINE_M * LINE_M / 4] = colour
+            self._cells[off_x * off_x + off_y * off_y <= width_m * width_m / 4] = colour
 
     def colour_at(self, x_m: float, y_m: float) -> int:
         """Return the number of the colour at a place; outside of the field that of its edge."""

@@ -29,6 +29,8 @@ GROUP_FIXTURES = 1
 GROUP_CHASSIS = 2
 GROUP_WHEELS = 3
 GROUP_BALLS = 4
+GROUP_BORDER = 5
+"""What ends the floor of a field without walls."""
 
 # --- whose parameters count in a contact: those of the geom of the higher priority ------------------------------------
 PRIORITY_SOLID = 0

@@ -10,6 +10,7 @@ from rcj_challenges.core.colours import hex_colour
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world import contact
 from rcj_challenges.world.build_field import FIELD, OBSTACLE
 from rcj_challenges.world.ground import Ground
 
@@ -83,7 +84,7 @@ def things_on_field(scenario: Scenario, roster: Roster, ground: Ground) -> Stand
     for geom in range(model.ngeom):
         name = model.geom(geom).name
         thing = ""
-        if name.startswith(FIELD):
+        if name.startswith(FIELD) and model.geom_group[geom] != contact.GROUP_BORDER:
             kind, _, end = name.removeprefix(FIELD).partition("_")
             painted = (goals[e] for e in goals if end.startswith(e))
             colour = next(painted, WALL_COLOUR) if kind == "goal" else WALL_COLOUR

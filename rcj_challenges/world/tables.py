@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world import contact
 from rcj_challenges.world.build_field import FLOOR_GEOM, OBSTACLE
 
 NO_THING = -1
-"""Stands for the floor, which never counts as touched, in place of a thing's index."""
+"""Stands for the floor and its border, which never count as touched, in place of a thing's index."""
 
 
 Indices = NDArray[np.intp]
@@ -39,7 +40,7 @@ class WorldTables:
         robots, balls: how many entities are robots and balls; the others are movable obstacles.
         bodies: ``[entity] -> `` body id: a robot's is that of its chassis.
         chassis: ``[robot] -> `` geom ids of its body and of its wheels.
-        geom_things: ``[geom] -> `` index of the thing it belongs to, ``NO_THING`` for the floor.
+        geom_things: ``[geom] -> `` index of the thing it belongs to, ``NO_THING`` for the floor and its border.
         dofs: ``[entity] -> `` its degrees of freedom in `qvel`, wheels included.
         qpos_at: ``[entity] -> `` address in `qpos` of its first number; of a ball x, y, z and its quaternion follow,
             else y and the yaw; of robots their wheels.
@@ -83,7 +84,7 @@ def _thing_of(model: Any, roster: Roster, geom: int) -> int:
     name: str = model.geom(geom).name
     if root:
         return roster.index[model.body(root).name]
-    if name == FLOOR_GEOM:
+    if name == FLOOR_GEOM or model.geom_group[geom] == contact.GROUP_BORDER:
         return NO_THING
     if name.startswith(OBSTACLE):
         return roster.index[name.removeprefix(OBSTACLE)]

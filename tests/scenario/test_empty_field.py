@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_text
 
@@ -38,3 +39,15 @@ def test_a_ball_and_places_of_the_authors_own_can_be_put_on_it():
     )
     assert own.scenario.balls["ball"] == load("match").scenario.balls["ball"]
     assert lint(own) == []
+
+
+OPEN = HEAD % "empty_field" + "field: {walls: false}\n"
+
+
+def test_without_walls_a_robot_may_start_beyond_the_edge_and_rules_cannot_name_walls():
+    far = load_text(OPEN + "spots: {far: {x_m: 1.6, y_m: 0}}\nrobots: {B1: {start: {x_m: 1.5}}}\n")
+    assert "off-the-field" not in {one.code for one in lint(far)}
+    touch = "rules: {r: {triggers: [{trigger: touches, entity: B1, other: walls}], actions: [{action: end}]}}\n"
+    with pytest.raises(ScenarioError) as caught:
+        load_text(OPEN + touch)
+    assert [one.code for one in caught.value.diagnostics] == ["unknown-name"]

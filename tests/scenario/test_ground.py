@@ -202,6 +202,7 @@ def test_a_random_point_needs_a_bounded_zone(zone, bounded):
     ("text", "expected"),
     [
         ("field: {corner_cut_m: 0.65}\n", "does-not-fit field.corner_cut_m"),
+        ("field: {walls: false}\n", "conflicting-keys field.walls"),
         ("field: {goals: {blue_goal: {width_m: 1.19}}}\n", "does-not-fit field.goals.blue_goal.width_m"),
         ("field: {goals: {blue_goal: {end: negative_y}}}\n", "does-not-fit field.goals.yellow_goal.end"),
         ("gates: {g: {from_m: [1, 1], to_m: [1, 1]}}\n", "empty-shape gates.g.to_m"),

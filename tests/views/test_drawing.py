@@ -128,6 +128,12 @@ def test_names_are_escaped():
 # --- zones and field --------------------------------------------------------------------------------------------------
 
 
+def test_field_without_walls_has_no_walls_in_its_picture():
+    picture = drawn(NO_GOALS.replace("field: {", "field: {walls: false, "))
+    assert titled(picture, "the field, inside its walls") == []
+    assert len(titled(picture, "the field")) == 1
+
+
 def test_spot_that_is_drawn_on_the_field_is_a_dot_in_its_colour():
     picture = drawn("spots: {seen: {x_m: 0.1, y_m: 0, drawn: true, colour: red}, unseen: {x_m: 0, y_m: 0.2}}")
     fills = {name: [one.get("fill") for one in titled(picture, name)] for name in ("seen", "unseen")}

@@ -69,6 +69,16 @@ def test_walls_leave_the_goals_open(footage):
     assert min(map(abs, ends)) > 0.2
 
 
+def test_field_without_walls_has_lines_at_its_edges_and_more_floor(footage):
+    out = ", out: {shape: circle, centre_m: [1, 0], radius_m: 0.1, drawn: true, colour: red}"
+    shown = playing(footage, NO_GOALS.replace("field: {", "field: {walls: false, ") % out)
+    assert geoms(shown, WALL) == []
+    assert has_line(shown, (0.65, 0.75), (0.65, -0.75))
+    assert len(lines(shown, RED)) == 72
+    model = build_scene(shown, (64, 64), fine=False)
+    assert np.abs(model.mesh_vert).max() == pytest.approx(1.65)
+
+
 def test_zone_larger_than_the_floor_ends_at_the_walls(footage):
     large = ", big: {shape: circle, centre_m: [0.6, 0], radius_m: 0.5, drawn: true}"
     bounds = np.abs(np.array(lines(playing(footage, NO_GOALS % large)))).max(axis=(0, 1))

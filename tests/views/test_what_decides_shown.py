@@ -241,6 +241,17 @@ def test_spots_and_circles_around_them_are_drawn_on_the_field(
     assert [red > 180 and green < 60 for red, green, _ in at.values()] == [True, False, True]
 
 
+@pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
+def test_a_field_without_walls_has_floor_beyond_its_edges(
+    show: Callable[..., Any], tmp_path: Path, script: str
+) -> None:
+    page = show(_replay(tmp_path, field={"walls": False}, zones={}, rules={}), script=script)
+    page.evaluate("replay.app.look('top')")
+    settled(page)
+    at = [page.evaluate(COLOUR_AT, [x, 0.1]) for x in (0.5, 0.657, 0.7)]
+    assert all(green > 100 and red < 80 and blue < 120 for red, green, blue in at), at
+
+
 def test_a_live_match_sends_ranking_counters_when_they_change() -> None:
     scenario, feed = _scenario(), Feed()
     observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))

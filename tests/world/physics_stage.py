@@ -28,7 +28,7 @@ def _match() -> dict[str, Any]:
 
 
 def scenario_with(**changes: Any) -> Scenario:
-    """The match with some sections changed, merged by key."""
+    """The match with some sections changed, merged by key; None removes."""
     return Scenario.model_validate(_merged(_match(), changes))
 
 
@@ -36,7 +36,7 @@ def _merged(base: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
     out = dict(base)  # what is validated stays as it is, so nothing deeper needs a copy
     for key, value in changes.items():
         out[key] = _merged(out[key], value) if isinstance(value, dict) and isinstance(out.get(key), dict) else value
-    return out
+    return {key: value for key, value in out.items() if value is not None or key not in changes}
 
 
 class Stage:

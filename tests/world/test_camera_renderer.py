@@ -150,3 +150,12 @@ def test_pictures_are_the_same_without_the_fast_instructions_of_this_processor()
     program = "from tests.world.test_camera_renderer import digest; print(digest())"
     ran = subprocess.run([sys.executable, "-c", program], env=simple, capture_output=True, text=True, check=True)
     assert ran.stdout.strip() == digest()
+
+
+def test_spots_and_circles_around_them_that_are_drawn_are_seen_on_the_floor() -> None:
+    stage = Stage(
+        spots={"seen": {"x_m": 0.3, "y_m": 0.3, "drawn": True}, "unseen": {"x_m": 0.3, "y_m": -0.2}},
+        zones={"ring": {"shape": "circle", "anchor": "unseen", "radius_m": 0.1, "drawn": True}},
+    )
+    bright = CameraRenderer(stage.scenario, stage.roster, stage.world).brightness
+    assert [bright(*at) > 0.9 for at in ((0.3, 0.3), (0.3, -0.2), (0.4, -0.2))] == [True, False, True]

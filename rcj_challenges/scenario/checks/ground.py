@@ -26,7 +26,7 @@ def check_ground(scenario: Scenario) -> Iterator[Diagnostic]:
     """Yield what cannot be on the floor."""
     yield from _shapes(scenario)
     field = scenario.field
-    if 2 * field.corner_cut_m >= min(field.width_m, field.length_m):
+    if 2 * field.cut_m >= min(field.width_m, field.length_m):
         message = f"corners cut by {field.corner_cut_m:g} leave nothing of a wall"
         yield issue(codes.DOES_NOT_FIT, ("field", "corner_cut_m"), message)
         return
@@ -100,7 +100,10 @@ def _is_bounded(zone: Zone) -> bool:
 
 
 def _goals(field: FieldModel) -> Iterator[Diagnostic]:
-    room = field.width_m - 2 * field.corner_cut_m
+    room = field.width_m - 2 * field.cut_m
+    if field.goals and not field.walls:
+        message = "without walls there are no goals: they are openings in end walls"
+        yield issue(codes.CONFLICTING_KEYS, ("field", "walls"), message, "leave 'walls' or 'goals' out", at_key=True)
     taken: dict[str, str] = {}
     for name, goal in field.goals.items():
         path: Path = ("field", "goals", name)
@@ -173,7 +176,8 @@ def _bodies(scenario: Scenario) -> Iterator[Diagnostic]:
                 f"'{body.name}' stands outside the field or in a wall: it covers x {x_0:.3f} to {x_1:.3f}, "
                 f"y {y_0:.3f} to {y_1:.3f}"
             )
-            help_ = f"the walls are at x = ±{scenario.field.width_m / 2:g}, y = ±{scenario.field.length_m / 2:g}"
+            bounds = scenario.field.bounds
+            help_ = f"the floor ends at x = ±{bounds.width_m / 2:g}, y = ±{bounds.length_m / 2:g}"
             yield issue(codes.OUTSIDE_FIELD, body.path, message, help_)
     yield from _overlaps(bodies)
 

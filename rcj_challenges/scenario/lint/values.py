@@ -95,10 +95,10 @@ class NeverReached(LintRule, code="never-reached"):
     _PUSHED = 5  # times as fast as it drives a robot may slide after a hit
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
-        field = ctx.scenario.field
+        field = ctx.scenario.field.bounds
         depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
         across_m = (field.width_m**2 + (field.length_m + 2 * depth_m) ** 2) ** 0.5
-        too_far = f"the field is {field.width_m:g} m by {field.length_m:g} m"
+        too_far = f"the floor is {field.width_m:g} m by {field.length_m:g} m"
         chassis = (chassis_of(ctx.scenario, robot) for robot in ctx.scenario.robots)
         drives_mps = max((one.top_speed_mps for one in chassis), default=0.0)
         fastest_mps = max(self._PUSHED * drives_mps, 2 * MAX_KICK_MPS)

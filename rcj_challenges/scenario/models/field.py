@@ -7,6 +7,9 @@ from pydantic import Field
 from rcj_challenges.core.amounts import HALF, Noun
 from rcj_challenges.rules.fields import Colour, DurationS, Point, Positive, Strict, described
 
+FLOOR_BEYOND_M = 1.0
+"""How far the floor reaches beyond the edges of a field without walls."""
+
 _Called = Annotated[str, Field(pattern=r"^[a-z]+( [a-z]+)*$", max_length=24)]
 
 
@@ -46,10 +49,15 @@ class Goal(Strict):
 
 
 class FieldModel(Strict):
-    """The playing field with its walls and goals, measured between the inner faces of the walls."""
+    """The playing field with its walls and goals, measured between the inner faces of the walls, or of its edges.
+
+    Without walls there is 1 m more floor on all sides. It ends at a border that stops everything, but is no wall: it is
+    neither drawn nor sensed, and touching it is no touch.
+    """
 
     width_m: Positive = described(1.3, "distance between the inner faces of the side walls (x) in m", le=10)
     length_m: Positive = described(1.5, "distance between the inner faces of the end walls (y) in m", le=10)
+    walls: bool = described(True, "False: there are no walls, and no goals")
     wall_height_m: Positive = described(0.09, "height of the walls above the floor in m", le=1)
     corner_cut_m: float = described(
         0.06, "how far the 45° corner walls cut into the corner along each axis in m; 0: square corners", ge=0
@@ -63,6 +71,19 @@ class FieldModel(Strict):
     )
     restitution: float = described(0.5, "share of its speed that a ball keeps when it hits a wall", ge=0, le=0.95)
     goals: dict[str, Goal] = described({}, "goals by name")
+
+    @property
+    def cut_m(self) -> float:
+        """How far its corners are cut: they are square where there are no walls."""
+        return self.corner_cut_m if self.walls else 0.0
+
+    @property
+    def bounds(self) -> "FieldModel":
+        """The field itself or, without walls, all of the floor as a larger one."""
+        if self.walls:
+            return self
+        width_m, length_m = self.width_m + 2 * FLOOR_BEYOND_M, self.length_m + 2 * FLOOR_BEYOND_M
+        return self.model_copy(update={"width_m": width_m, "length_m": length_m, "wall_height_m": 1.0})
 
 
 class Ball(Strict):

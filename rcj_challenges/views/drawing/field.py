@@ -111,8 +111,15 @@ def _mark_m(paper: Paper, usual_m: float) -> float:
 def _ground(paper: Paper, scenario: Scenario) -> None:
     field = scenario.field
     w, h = field.width_m / 2, field.length_m / 2
-    paper.clip(_WITHIN, [floor_of(field), *(goal_floor(goal, field) for goal in field.goals.values())])
-    paper.polygon(floor_of(field), 'fill="#e9f5ec" stroke="#343a40" stroke-width="3"', "the field, inside its walls")
+    if field.walls:
+        paper.clip(_WITHIN, [floor_of(field), *(goal_floor(goal, field) for goal in field.goals.values())])
+        edge = 'fill="#e9f5ec" stroke="#343a40" stroke-width="3"'
+        paper.polygon(floor_of(field), edge, "the field, inside its walls")
+    else:
+        floor = corners_of(*paper.bounds)
+        paper.clip(_WITHIN, [floor])
+        paper.polygon(floor, 'fill="#e9f5ec"', "the floor around the field")
+        paper.polygon(floor_of(field), 'fill="none" stroke="#ffffff" stroke-width="3"', "the field")
     for name, goal in field.goals.items():
         corners = goal_floor(goal, field)
         paper.polygon(corners, f'fill="{hex_of(goal.colour)}" fill-opacity="0.35"', name)

@@ -55,7 +55,7 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
 
 
 def _unit_m(scenario: Scenario) -> float:
-    half_m = max(scenario.field.width_m, scenario.field.length_m) / 2
+    half_m = max(scenario.field.bounds.width_m, scenario.field.bounds.length_m) / 2
     return max(FINEST_M, (half_m + _SEEN_BEYOND_M) / 32_767)
 
 

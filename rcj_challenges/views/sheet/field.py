@@ -20,9 +20,13 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     corners = (
         f"walls at 45° cut {metres(field.corner_cut_m)} off both sides of each corner" if field.corner_cut_m else ""
     )
+    walls = (
+        f"inside its walls, which are {metres(field.wall_height_m)} high; {corners or 'its corners are square'}"
+        if field.walls
+        else f"between its lines, without walls; {models.FLOOR_BEYOND_M:g} m behind them the floor ends"
+    )
     yield (
-        f"{field.width_m:g} m wide (x) and {field.length_m:g} m long (y) inside its walls, which are "
-        f"{metres(field.wall_height_m)} high; {corners or 'its corners are square'}. The origin is the centre; x grows "
+        f"{field.width_m:g} m wide (x) and {field.length_m:g} m long (y) {walls}. The origin is the centre; x grows "
         f"to the right, y upwards in the drawing. {_surfaces(scenario)}"
     )
     yield from _goals(field)
@@ -48,7 +52,7 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
 def _surfaces(scenario: Scenario) -> str:
     field = scenario.field
     floor = f"The floor's coefficient of friction is {field.friction:g}."
-    if not scenario.balls:
+    if not scenario.balls or not (field.walls or scenario.obstacles):
         return floor
     return f"{floor} A ball bounces off a wall with {100 * field.restitution:g} % of its speed towards it."
 

@@ -95,10 +95,11 @@ def _set_light(spec: Any, size: tuple[int, int], samples: int) -> None:
 
 def _add_floor(spec: Any, footage: Footage) -> None:
     field, line = footage.scenario.field, rgb(PALETTE["line"])
-    edges = [field.length_m * (k / _STRIPES - 0.5) for k in range(_STRIPES + 1)]
+    floor = field.bounds
+    edges = [floor.length_m * (k / _STRIPES - 0.5) for k in range(_STRIPES + 1)]
     for k, (low_m, high_m) in enumerate(pairwise(edges)):
         stripe = RectZone(shape="rect", y_min_m=low_m, y_max_m=high_m)
-        _add_slab(spec, f"grass{k}", floor_outline(stripe, field), rgb(PALETTE["grass"][(k + 1) % 2]))
+        _add_slab(spec, f"grass{k}", floor_outline(stripe, floor), rgb(PALETTE["grass"][(k + 1) % 2]))
     outlines = [(floor_of(field), line)]
     for name, goal in field.goals.items():
         corners = goal_floor(goal, field)
@@ -110,7 +111,7 @@ def _add_floor(spec: Any, footage: Footage) -> None:
     for name, zone in footage.scenario.zones.items():
         if zone.drawn:
             own = zone_colour(footage.scenario, name)
-            outlines.append((floor_outline(at_start(zone, footage.scenario), field), line if own is None else rgb(own)))
+            outlines.append((floor_outline(at_start(zone, footage.scenario), floor), line if own is None else rgb(own)))
     for spot in footage.scenario.spots.values():
         if spot.drawn:
             disc, at = mujoco.mjtGeom.mjGEOM_CYLINDER, (spot.x_m, spot.y_m, _PAINT_M / 2)
@@ -123,6 +124,8 @@ def _add_floor(spec: Any, footage: Footage) -> None:
 
 def _walls(field: FieldModel) -> Iterator[tuple[Point, Point, float, Rgb]]:
     """Yield the inner faces of walls and goals, clockwise, with height and colour."""
+    if not field.walls:
+        return
     grey = rgb(PALETTE["wall"])
     goals = [(goal, goal_floor(goal, field)) for goal in field.goals.values()]
     corners = floor_of(field)

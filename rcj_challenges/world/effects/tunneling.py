@@ -25,7 +25,7 @@ _FASTEST_MPS = 4.0
 _TOUCHES = 0.05
 """A stopped ball overlaps the thing by this share of its radius: then MuJoCo finds the contact and lets it bounce."""
 
-_SOLIDS = (contact.GROUP_FIXTURES, contact.GROUP_CHASSIS, contact.GROUP_WHEELS)
+_SOLIDS = (contact.GROUP_FIXTURES, contact.GROUP_CHASSIS, contact.GROUP_WHEELS, contact.GROUP_BORDER)
 
 
 class Tunneling(Effect):

@@ -12,13 +12,13 @@ const Ground = {
 
   /** The floor itself: grass in stripes, lines of the scenario, goals' floors. */
   field(facts) {
-    const { width_m: width, length_m: length, corner_cut_m: cut } = facts.field;
+    const { width_m: width, length_m: length, corner_cut_m: cut, floor_m: floor } = facts.field;
     const x = width / 2, y = length / 2;
     const shapes = [];
-    const deep = length / STRIPES;
+    const [right, top] = floor, deep = (2 * top) / STRIPES;
     for (let stripe = 0; stripe < STRIPES; stripe++) {
-      const band = Ground.rectangle(-x, -y + stripe * deep, x, -y + (stripe + 1) * deep);
-      shapes.push({ points: Ground.within(band, x, y, cut), fill: PALETTE.grass[(stripe + 1) % 2], alpha: 1 });
+      const band = Ground.rectangle(-right, -top + stripe * deep, right, -top + (stripe + 1) * deep);
+      shapes.push({ points: Ground.within(band, ...floor, cut), fill: PALETTE.grass[(stripe + 1) % 2], alpha: 1 });
     }
     for (const goal of facts.field.goals) {
       const colour = Colours.mix(Colours.rgb(goal.colour), [0.1, 0.2, 0.15], 0.35);
@@ -30,7 +30,7 @@ const Ground = {
     if (facts.field.goals.length) line([[-x, 0], [x, 0]]);
     for (const zone of facts.zones) {
       const colour = zone.colour ? Colours.rgb(zone.colour) : PALETTE.line;
-      if (zone.drawn) line(Ground.within(Ground.zone(zone, facts.field), x, y, cut), true, colour);
+      if (zone.drawn) line(Ground.within(Ground.zone(zone, facts.field), ...floor, cut), true, colour);
     }
     for (const spot of facts.spots) {
       if (spot.drawn) shapes.push({ points: Ground.dot(spot), fill: spot.colour ? Colours.rgb(spot.colour) : PALETTE.line, alpha: 1 });
@@ -154,12 +154,12 @@ const Ground = {
     const sides = [zone.x_min_m, zone.y_min_m, zone.x_max_m, zone.y_max_m];
     if (zone.shape === "rect" && sides.every((side) => side !== null)) return Ground.rectangle(...sides);
     const whole = Ground.openZone(zone, field);
-    const inside = Ground.within(whole, field.width_m / 2, field.length_m / 2, field.corner_cut_m);
+    const inside = Ground.within(whole, ...field.floor_m, field.corner_cut_m);
     return inside.length > 2 ? inside : whole;
   },
 
   openZone(zone, field) {
-    const margin = 0.16, x = field.width_m / 2 + margin, y = field.length_m / 2 + margin;
+    const [x, y] = field.floor_m.map((half) => half + 0.16);
     if (zone.shape === "half_plane") {
       const [nx, ny] = zone.normal, [px, py] = zone.through_m;
       return Ground.clipped(Ground.rectangle(-x, -y, x, y), nx, ny, nx * px + ny * py);
