@@ -73,13 +73,10 @@ class Vocabulary:
     def __init__(
         self,
         key: str,
-        words: list[type[Word]] | None = None,
-        without: frozenset[str] = frozenset(),
         otherwise: str = "",
     ) -> None:
         self.key = key
-        self._words = [] if words is None else words
-        self._without = without
+        self._words: list[type[Word]] = []
         self._otherwise = otherwise or None
 
     def add(self, *words: type[Word]) -> None:
@@ -88,11 +85,7 @@ class Vocabulary:
 
     def words(self) -> tuple[type[Word], ...]:
         """Return all words."""
-        return tuple(word for word in self._words if word.name() not in self._without)
-
-    def without(self, word: str) -> "Vocabulary":
-        """Return the same words but one, also those that are added later."""
-        return Vocabulary(self.key, self._words, self._without | {word})
+        return tuple(self._words)
 
     @property
     def shape(self) -> Any:
@@ -123,7 +116,6 @@ class KeyedVocabulary(Vocabulary):
     Args:
         plain: the shapes of plain values by their tag.
         tag_plain: returns the tag of a plain value; None: it is not one of them.
-        otherwise: the word to which a mapping without any of the keys belongs; empty: to none.
         rest: the shapes of plain values that messages name after the words, by their tag.
     """
 
@@ -131,10 +123,9 @@ class KeyedVocabulary(Vocabulary):
         self,
         plain: Mapping[str, Any],
         tag_plain: Callable[[Any], str | None],
-        otherwise: str = "",
         rest: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
-        super().__init__("", otherwise=otherwise)
+        super().__init__("")
         self._plain = plain
         self._rest = rest
         self._tag_plain = tag_plain
@@ -183,7 +174,7 @@ class KeyedVocabulary(Vocabulary):
         if isinstance(value, Word):
             return value.name()
         if isinstance(value, dict):
-            return next((word.name() for word in self.words() if word.name() in value), self._otherwise)
+            return next((word.name() for word in self.words() if word.name() in value), None)
         return self._tag_plain(value)
 
 

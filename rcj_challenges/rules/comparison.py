@@ -107,7 +107,7 @@ class Compared(Condition):
         holds = self.comparison(to)
         return self.test_of_each(to, lambda value: _test(value, to, holds))
 
-    def test_of_each(self, to: Binder, test_of: Callable[[NumberValue], Test]) -> Test:
+    def test_of_each(self, to: Binder, test_of: Callable[[NumberValue], Callable[[], Any]]) -> Test:
         """Return the test of one value, or of so many members of a group as are asked for; it passes over none."""
         value = self.value
         names = value.named() if self.of is None else value.names(to)
@@ -212,5 +212,5 @@ def comparison_of(value: type[NumberValue]) -> type[Compared]:
     model = cast("Any", create_model(name, __base__=bases, __module__=__name__, __doc__=doc))
     model.VALUE = model.DEFINED_AS = value
     model.EXAMPLE, model.SENTENCE = "", value.COMPARED
-    model.REQUIRES = () if value.IS_FACT else Compared.REQUIRES
+    model.REQUIRES = value.REQUIRES if value.IS_FACT else Compared.REQUIRES
     return cast("type[Compared]", model)

@@ -247,7 +247,7 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     _IS["timer"]: _both(_kept_each("timer"), _one_bound),
     _IS["told"]: _told_is,
     _IS["word"]: _both(_word, _of_one, _compared),
-    _IS["entity"]: _fact_is,
+    _IS["entity"]: _both(_fact_is, _one_bound),
     _IS["draw"]: _drawn("equals"),
     _IS["sequence"]: _both(_kept_each("sequence"), _sequence_at),
     Place: _place,
@@ -268,6 +268,6 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     **{model: _folded(model.KEY) for model in (HighestValue, LowestValue, SumValue)},
     CountValue: _counted,
     _IS["count"]: _both(_counted, _of_one, _compared),
-    FactValue: _fact_is,
+    FactValue: _both(_fact_is, _of_one),
     scenario.Expectation: _expected,
 }

@@ -6,7 +6,6 @@ A value that is a number, with a comparison, is a condition; the files here defi
 from rcj_challenges.rules.comparison import comparison_of
 from rcj_challenges.rules.conditions.any_of import AnyOf
 from rcj_challenges.rules.conditions.draw import DrawIs
-from rcj_challenges.rules.conditions.entity import FactIs
 from rcj_challenges.rules.conditions.last_touch import LastTouchIs
 from rcj_challenges.rules.conditions.role import RoleIs
 from rcj_challenges.rules.conditions.sequence import SequenceIs
@@ -14,6 +13,7 @@ from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.conditions.told import ToldIs
 from rcj_challenges.rules.conditions.vocabulary import CONDITIONS, AnyCondition
 from rcj_challenges.rules.values import COMPARABLE
+from rcj_challenges.rules.values.entity import FactValue
 
 CONDITIONS.add(
     *map(comparison_of, COMPARABLE),
@@ -24,7 +24,7 @@ CONDITIONS.add(
     SequenceIs,
     SpotFree,
     AnyOf,
-    FactIs,  # last: the key of an entity stands beside those of others
+    comparison_of(FactValue),  # last: the key of an entity stands beside those of others
 )
 
 __all__ = ("CONDITIONS", "AnyCondition")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple,
 from pydantic import Field
 
 from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
-from rcj_challenges.rules.base import Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, Test, ValueWord
+from rcj_challenges.rules.base import Binder, Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import Clause, number, whole_seconds
 
@@ -137,8 +137,8 @@ class NumberValue(ValueWord):
 
     # --- as a condition -----------------------------------------------------------------------------------------------
 
-    def fact(self, to: Scope) -> Test:
-        """Return the test of a value that is a fact."""
+    def fact(self, to: Binder) -> Callable[[], bool | None]:
+        """Return the test of a value that is a fact; None: it is passed over."""
         return self.now(to)
 
     def about(self) -> Names | None:

@@ -357,7 +357,8 @@ class _Walker:
             if (mark := drawn_value(model, name)) is not None:
                 self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
         over = getattr(model, "OVER", "")
-        if over and not _is_folded(path) and not issubclass(model, Condition) and over != "entity":
+        is_own = over != "entity" or hasattr(model, "OWNER")  # of what is kept the owner is checked
+        if over and is_own and not _is_folded(path) and not issubclass(model, Condition):
             self._one_only(over, node.entries.get(over), path, scope)
         if _is_folded(path) and not over:
             self.add(codes.WRONG_KIND, path, "this value names no group", "write a list of numbers: [{…}, {…}]")
@@ -386,14 +387,12 @@ class _Walker:
             return  # an unknown name is reported where it is written
         if not group:
             surplus = next((one for one in ("entity", "of") if one in node.entries), None)
-            if surplus is None and (_is_folded(path) or owner != "entity"):
-                message, help_ = f"{key} '{name}' is not kept per entity: it is one alone", f"give the {key} 'per'"
-                self.add(codes.NOT_PER_ENTITY, (*path, key), message, help_)
+            message = f"{key} '{name}' is not kept per entity"
             if surplus is not None:
-                message = f"{key} '{name}' is not kept per entity"
-                self.add(
-                    codes.NOT_PER_ENTITY, (*path, surplus), message, f"leave '{surplus}' out, or give the {key} 'per'"
-                )
+                help_ = f"leave '{surplus}' out, or give the {key} 'per'"
+                self.add(codes.NOT_PER_ENTITY, (*path, surplus), message, help_)
+            elif _is_folded(path) or owner != "entity":
+                self.add(codes.NOT_PER_ENTITY, (*path, key), f"{message}: it is one alone", f"give the {key} 'per'")
             return
         owners = roster.expand(group)
         if whose is None:
