@@ -113,6 +113,7 @@ class Firing:
             ``no_room``: what was to be placed waits, ``phase_taken``: a rule before it set another phase, or
             ``unsettled``: it would fire after the last settling pass).
         says: the sentence for screen and log, with names filled in.
+        copy: of a firing that was read from a log, the row for which its rule is repeated, else empty.
     """
 
     tick: int
@@ -127,6 +128,7 @@ class Firing:
     other: str | None = None
     place: str | None = None
     settling: int = 0
+    copy: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)

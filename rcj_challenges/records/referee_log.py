@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from itertools import groupby
+from itertools import groupby, product
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from rcj_challenges.core.amounts import Score, counted
@@ -89,22 +90,40 @@ def score_so_far(result: RunResult, scenario: Scenario, log: RefereeLog) -> dict
 # --- writing ----------------------------------------------------------------------------------------------------------
 
 
-def log_lines(half: int, events: Iterable[Event], firings: Iterable[Firing], changes: Iterable[Change]) -> bytes:
-    """Return the lines of one tick."""
+def copies_of_rules(unresolved: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
+    """Return the name and the row of each copy of a repeated rule, by the copy's own name."""
+    copies: dict[str, tuple[str, str]] = {}
+    for name, rule in unresolved.get("rules", {}).items():
+        tables = rule.get("repeat_for", ())
+        if tables:
+            rows = [unresolved["tables"][table] for table in ([tables] if isinstance(tables, str) else tables)]
+            copies |= {f"{name}_{row}": (name, row) for row in map("_".join, product(*rows))}
+    return copies
+
+
+def log_lines(
+    half: int,
+    events: Iterable[Event],
+    firings: Iterable[Firing],
+    changes: Iterable[Change],
+    copies: Mapping[str, tuple[str, str]] = MappingProxyType({}),
+) -> bytes:
+    """Return the lines of one tick; ``copies`` is the result of `copies_of_rules`."""
     lines = [
-        *(firing_line(half, firing) for firing in firings),
+        *(firing_line(half, firing, *copies.get(firing.rule, (firing.rule, ""))) for firing in firings),
         *({"kind": "event", **event_line(half, event)} for event in events),
         *({"half": half, "kind": _CHANGES[type(change)], **asdict(change)} for change in changes),
     ]
     return b"".join(map(json_line, lines))
 
 
-def firing_line(half: int, firing: Firing) -> dict[str, Any]:
-    """Return one firing as it stands in the log."""
+def firing_line(half: int, firing: Firing, rule: str = "", copy: str = "") -> dict[str, Any]:
+    """Return one firing as it stands in the log: by the name of its rule as it is written, and its row."""
     line: dict[str, Any] = {"half": half, "kind": "firing", **asdict(firing)}
+    line |= {"rule": rule or firing.rule, "copy": copy or None}
     line["measured"] = number_or_none(firing.measured)
     line["limit"] = number_or_none(firing.limit)
-    for key in ("other", "place"):
+    for key in ("other", "place", "copy"):
         if line[key] is None:
             del line[key]
     if settling := line.pop("settling"):
@@ -150,9 +169,10 @@ def _entry(line: Any) -> Entry:
         case "event":
             return Event(tick, _text(line["event"]), _mapping(line["payload"]))
         case "firing":
+            copy = _text(line.get("copy", ""))
             return Firing(
                 tick=tick,
-                rule=_text(line["rule"]),
+                rule=f"{_text(line['rule'])}_{copy}" if copy else _text(line["rule"]),
                 entity=_text_or_none(line.get("entity")),
                 trigger=_text(line["trigger"]),
                 measured=_number_or_none(line.get("measured")),
@@ -163,6 +183,7 @@ def _entry(line: Any) -> Entry:
                 other=_text_or_none(line.get("other")),
                 place=_text_or_none(line.get("place")),
                 settling=_whole(line.get("pass", 0), 0),
+                copy=copy,
             )
         case "phase":
             return PhaseChange(tick, _text(line["phase"]), bool(line["waiting_for_kickoff"]))

@@ -32,7 +32,7 @@ from rcj_challenges.records.folder import (
 )
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.logos import logo_path
-from rcj_challenges.records.referee_log import log_lines
+from rcj_challenges.records.referee_log import copies_of_rules, log_lines
 from rcj_challenges.records.reflog import event_line, events_of, reflog_lines
 from rcj_challenges.records.result import MemberResult, RunResult, versions
 from rcj_challenges.records.trajectory import TrajectoryWriter
@@ -93,6 +93,7 @@ class RecordWriter:
         scenario = dumped(header.scenario)
         self._inputs = inputs_digest(header.scenario, header.seed, header.programs)
         self._states = StatesDigest()
+        self._copies = copies_of_rules(header.unresolved)
         self._half: HalfInfo | None = None
         self._events: list[dict[str, Any]] = []
         self._faults: list[dict[str, Any]] = []
@@ -213,7 +214,7 @@ class RecordWriter:
         for event in events:
             self._states.event(event)
         self._events += [event_line(half.half, event) for event in events]
-        write_all(self._referee_log, bytearray(log_lines(half.half, events, firings, changes)))
+        write_all(self._referee_log, bytearray(log_lines(half.half, events, firings, changes, self._copies)))
         for change in changes:
             if isinstance(change, ScoreChange):
                 self._scores |= {half.teams[seat]: points for seat, points in change.scores.items()}

@@ -90,6 +90,26 @@ def test_what_is_written_to_the_referees_log_is_read_back(tmp_path: Path) -> Non
     }
 
 
+TABLES = {"teams": {"blue": {}, "yellow": {}}, "posts": {"left": {}, "right": {}}}
+
+
+def test_copy_of_a_rule_is_logged_by_the_name_of_the_rule_and_its_row(tmp_path: Path) -> None:
+    rules = {"goal": {"repeat_for": "teams"}, "hit": {"repeat_for": ["teams", "posts"]}, "goal_blue_twice": {}}
+    scenario = small_scenario(1, 1)
+    header = replace(small_header(scenario), unresolved={"tables": TABLES, "rules": rules})
+    writer = RecordWriter(tmp_path, header)
+    writer.begin_half(half_info(scenario, 1, 10, header))
+    firings = tuple(Firing(0, name, None, "enters") for name in ("goal_blue", "hit_blue_left", "goal_blue_twice"))
+    writer.tick(made_up_snapshot(0, 2), RefereeOutput(firings=firings), b"")
+    writer.finish()
+    lines = [json.loads(line) for line in (writer.folder / "referee.jsonl").read_text("utf-8").splitlines()]
+    named = [(line["rule"], line.get("copy")) for line in lines]
+    assert named == [("goal", "blue"), ("hit", "blue_left"), ("goal_blue_twice", None)]
+    (tick,) = read_referee_log(writer.folder).ticks
+    assert tick.firings == firings
+    assert [one.copy for one in tick.firings] == ["blue", "blue_left", ""]
+
+
 @pytest.mark.parametrize(
     "line",
     [
