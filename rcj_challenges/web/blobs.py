@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
+import shutil
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rcj_challenges.web.models import Match, Submission
+    from rcj_challenges.web.models import Job, Match, Submission
 
 MIN_FREE_BYTES = 2_000_000_000
 _STALE_S = 3600.0
@@ -62,6 +63,15 @@ class Blobs:
         self.keep(received, sha256)
         return sha256, len(data)
 
+    def working(self, job: Job) -> Path:
+        """Return the folder of an attempt at a job: what it makes stays there until the result is stored."""
+        return self.incoming / f"job-{job.pk}-{job.attempt}"
+
+    def remove_left(self, job: Job) -> None:
+        """Remove what attempts at a job have left."""
+        for folder in self.incoming.glob(f"job-{job.pk}-*"):
+            shutil.rmtree(folder, ignore_errors=True)
+
     def sweep(self) -> None:
         """Remove what uploads that were cut off have left."""
         before = time.time() - _STALE_S
@@ -75,15 +85,9 @@ class Blobs:
         return state.f_bavail * state.f_frsize >= MIN_FREE_BYTES
 
 
-def report_folder(site: Path, submission: Submission, attempt: int | None = None) -> Path:
-    """Return the folder with the page and the replays of a check.
-
-    Args:
-        site: the folder of the site.
-        submission: that was checked.
-        attempt: the claim that is writing it; None: the one that is shown.
-    """
-    return site / "reports" / (f"{submission.pk}" if attempt is None else f"{submission.pk}.{attempt}")
+def report_folder(site: Path, submission: Submission) -> Path:
+    """Return the folder with the page and the replays of a check."""
+    return site / "reports" / str(submission.pk)
 
 
 def match_folder(site: Path) -> Path:

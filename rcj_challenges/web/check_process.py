@@ -47,15 +47,14 @@ def work() -> None:
 
 def _work(request: dict[str, Any]) -> None:
     loaded = load(request["scenario"], request["overrides"])
-    path = Path(request["path"])
+    path, folder = Path(request["path"]), Path(request["folder"])
     if request["kind"] == "repair":
         try:
-            repaired = repair(path, Path(request["out"]), loaded.scenario)
+            repaired = repair(path, folder / "repaired.zip", loaded.scenario)
             _write({"repaired": None if repaired.out is None else str(repaired.out), "done": list(repaired.done)})
         except RcjError as error:
             _write({"repaired": None, "done": [], "error": str(error)})
         return
-    folder = Path(request["folder"])
     options = CheckOptions(request["sandbox"], replays=folder, show_output=True)
     named = SubmissionName(request["name"], "replay")
     report = check_file(path, loaded, options, named=named, on_stage=lambda stage: _write({"stage": stage}))

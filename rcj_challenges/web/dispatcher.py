@@ -52,6 +52,14 @@ def _logged() -> Iterator[None]:
             close_old_connections()
 
 
+def _move(made: Path, target: Path) -> None:
+    """Move what a job has made to its place, unless a first attempt to store the result did."""
+    if made.exists():
+        shutil.rmtree(target, ignore_errors=True)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        made.rename(target)
+
+
 class Dispatcher:
     """Does jobs in as many lanes as the site has.
 
@@ -122,21 +130,8 @@ class Dispatcher:
         finally:
             with self._lock:
                 self._held.discard(claim)
-            self._remove_left(job)
+            shutil.rmtree(self._blobs.working(job), ignore_errors=True)
         return True
-
-    def _remove_left(self, job: Job) -> None:
-        """Remove what an attempt has written and `finish` has not moved away."""
-        if job.submission is not None:
-            shutil.rmtree(report_folder(self._config.folder, job.submission, job.attempt), ignore_errors=True)
-        self._repaired(job).unlink(missing_ok=True)
-        shutil.rmtree(self._playing(job), ignore_errors=True)
-
-    def _playing(self, job: Job) -> Path:
-        return self._blobs.incoming / f"match-{job.pk}-{job.attempt}"
-
-    def _repaired(self, job: Job) -> Path:
-        return self._blobs.incoming / f"repair-{job.pk}-{job.attempt}.zip"
 
     def _insist(self, end: Callable[[float], bool], began: float) -> None:
         """Store how a job ended; if the database is away, try again as long as a lease lasts."""
@@ -188,6 +183,8 @@ class Dispatcher:
 
     def _do(self, job: Job, claim: tuple[int, int]) -> Callable[[Job], None]:
         """Do a job; return what stores its result."""
+        self._blobs.remove_left(job)
+        self._blobs.working(job).mkdir()
         if job.match is not None:
             return self._play(job, job.match, claim)
         if job.event is not None:
@@ -196,11 +193,7 @@ class Dispatcher:
         assert submission is not None  # noqa: S101 - a job is about one of the three
         if job.kind == "repair":
             return self._repair(job, submission, claim)
-        folder = report_folder(self._config.folder, submission, job.attempt)
-        for left in folder.parent.glob(f"{submission.pk}.*"):
-            shutil.rmtree(left, ignore_errors=True)
-        folder.mkdir(parents=True)
-        answer = self._answer(job, claim, {"kind": "check", "folder": str(folder), **self._about(submission)})
+        answer = self._answer(job, claim, {"kind": "check", **self._about(submission)})
         report = answer["report"]
         if answer["host"] or report["level"] == "unchecked":
             raise _HostFaultError(report["blocked_by"] or "the check itself failed")
@@ -210,49 +203,36 @@ class Dispatcher:
         def store(_job: Job) -> None:
             deadlines.close(self._now())
             jobs.store_verdict(submission, verdict)
-            if folder.exists():  # else it was moved by a first attempt to store the verdict
-                shown = report_folder(self._config.folder, submission)
-                shutil.rmtree(shown, ignore_errors=True)
-                folder.rename(shown)
+            _move(self._blobs.working(job), report_folder(self._config.folder, submission))
 
         return store
 
     def _repair(self, job: Job, submission: Submission, claim: tuple[int, int]) -> Callable[[Job], None]:
-        out = self._repaired(job)
-        answer = self._answer(job, claim, {"kind": "repair", "out": str(out), **self._about(submission)})
+        answer = self._answer(job, claim, {"kind": "repair", **self._about(submission)})
         if answer["repaired"] is None:
             return lambda _: None
 
         def store(_job: Job) -> None:  # runs only if the result still counts: the team may have been deleted since
-            accept_repaired(submission, *self._blobs.keep_file(out), self._now())
+            accept_repaired(submission, *self._blobs.keep_file(Path(answer["repaired"])), self._now())
 
         return store
 
     def _play(self, job: Job, match: Match, claim: tuple[int, int]) -> Callable[[Job], None]:
-        playing = self._playing(job)
-        for left in playing.parent.glob(f"match-{job.pk}-*"):
-            shutil.rmtree(left, ignore_errors=True)
         played = job_of(match, self._sandbox).to_json()
-        request = {"kind": "match", "job": played, "site": str(self._config.folder), "playing": str(playing)}
-        answer = self._answer(job, claim, request)
+        answer = self._answer(job, claim, {"kind": "match", "job": played, "site": str(self._config.folder)})
         if match.digest not in {"", answer["result"]["digest"]}:
             raise _HostFaultError("the match ended differently from the first time")
-        record = Path(answer["folder"])
 
         def store(_job: Job) -> None:
             seasons.store_result(match, answer, self._now())
-            if record.exists():  # else it was moved by a first attempt to store the result
-                kept = record_folder(self._config.folder, match)
-                shutil.rmtree(kept, ignore_errors=True)
-                kept.parent.mkdir(parents=True, exist_ok=True)
-                record.rename(kept)
+            _move(Path(answer["folder"]), record_folder(self._config.folder, match))
 
         return store
 
     def _play_event(self, job: Job, event: Event, claim: tuple[int, int]) -> Callable[[Job], None]:
         events.write(event)
-        request = {"kind": "event", "sandbox": self._sandbox, "lanes": max(1, self._config.lanes // 2)}
-        answer = self._answer(job, claim, {**request, **events.request_of(event)})
+        request = {"kind": "event", "lanes": max(1, self._config.lanes // 2), **events.request_of(event)}
+        answer = self._answer(job, claim, request)
         if answer["failed"]:
             raise _HostFaultError(answer["failed"][0])
         return lambda _: events.store_played(event, answer, self._now())
@@ -268,11 +248,11 @@ class Dispatcher:
             "name": f"{submission.team.public_name}, no. {submission.number}",
             "scenario": season.scenario,
             "overrides": season.overrides,
-            "sandbox": self._sandbox,
         }
 
     def _answer(self, job: Job, claim: tuple[int, int], request: dict[str, Any]) -> dict[str, Any]:
         """Have a process of its own do a job; return its last line."""
+        request |= {"folder": str(self._blobs.working(job)), "sandbox": self._sandbox}
         with subprocess.Popen(
             python_command(_START), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
         ) as process:

@@ -185,7 +185,6 @@ def finish(job: Job, now: datetime, lane_s: float, store: Callable[[Job], None])
 def store_verdict(submission: Submission, verdict: Verdict) -> None:
     """Store what a check found; the newest accepted submission of a team becomes the one that plays.
 
-    A late one does not replace one that was in time, nor an older one the team's own choice.
     Called inside `writing`, with the team locked.
     """
     submission.state, submission.level, submission.digest = verdict.state, verdict.level, verdict.digest
@@ -193,10 +192,7 @@ def store_verdict(submission: Submission, verdict: Verdict) -> None:
     submission.save(update_fields=("state", "level", "digest", "report"))
     if verdict.state == State.ACCEPTED:
         entry, _ = Entry.objects.get_or_create(team_id=submission.team_id, season_id=submission.season_id)
-        active, number = entry.active, submission.number
-        if active is None or (
-            number > entry.chosen_over and (not submission.is_late, number) > (not active.is_late, active.number)
-        ):
+        if submission.replaces(entry.active, entry.chosen_over):
             entry.active = submission
             entry.save(update_fields=("active",))
 
@@ -245,6 +241,11 @@ def try_again(job: Job, now: datetime) -> None:
             state=JobState.QUEUED, tries=0, not_before=now, error=""
         ):
             Submission.objects.filter(job=job.pk, state=State.UNCHECKED).update(state=State.QUEUED)
+
+
+def cancel(found: QuerySet[Job]) -> None:
+    """End jobs that are not done: late results are dropped. Called inside `writing`."""
+    found.exclude(state=JobState.DONE).update(state=JobState.DONE, worker="", lease_until=None)
 
 
 def clean_up(now: datetime) -> None:

@@ -63,7 +63,7 @@ def play(request: Mapping[str, Any]) -> dict[str, Any]:
     os.environ.setdefault("MUJOCO_GL", "disable")  # would load a window system's library, and a match draws nothing
     from rcj_challenges.tournament.playing import play_job  # noqa: PLC0415 - only in a process that plays
 
-    job, place = MatchJob.from_json(request["job"]), MatchPlace(Path(request["site"]), Path(request["playing"]))
+    job, place = MatchJob.from_json(request["job"]), MatchPlace(Path(request["site"]), Path(request["folder"]))
     played = play_job(job, place)
     first = played.result["digest"]
     if any(_is_from_outside(fault) for fault in played.result["faults"]):

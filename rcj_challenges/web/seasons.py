@@ -26,7 +26,6 @@ from rcj_challenges.web.models import (
     Entry,
     Group,
     Job,
-    JobState,
     Match,
     MatchKind,
     Season,
@@ -230,8 +229,7 @@ def fitting_bases(versions_here: Mapping[str, str]) -> list[int]:
 
 def void(matches: QuerySet[Match], reason: str) -> None:
     """Let matches not count, and play those no more that are in the queue; called inside `jobs.writing`."""
-    waiting = Job.objects.filter(match__in=matches).exclude(state=JobState.DONE)
-    waiting.update(state=JobState.DONE, worker="", lease_until=None)  # late results are then dropped
+    jobs.cancel(Job.objects.filter(match__in=matches))
     matches.update(void=reason)
 
 

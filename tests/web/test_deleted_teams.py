@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from rcj_challenges.web import jobs
+from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import SiteConfig
 from tests.web.club import new_client
 from tests.web.conftest import NOW, make_team
@@ -34,15 +34,11 @@ def test_result_that_comes_after_the_team_was_deleted_is_dropped_with_its_files(
     hand_in(site, team, b"x")
     Job.objects.update(kind=kind)
 
-    def answer(_self: Dispatcher, _job: Job, _claim: Any, request: dict[str, Any]) -> dict[str, Any]:
-        if kind == "check":
-            Path(request["folder"], "report.html").write_text("x", encoding="utf-8")
-        else:
-            Path(request["out"]).write_text("repaired", encoding="utf-8")
+    def answer(_self: Dispatcher, job: Job, _claim: Any, _request: dict[str, Any]) -> dict[str, Any]:
+        made = Blobs(site.folder).working(job) / "made"
+        made.write_text("a report, or what is repaired", encoding="utf-8")
         delete(team)
-        return {
-            "report": {"level": "passed", "digest": "d", "blocked_by": ""}, "host": False, "repaired": request.get("out")
-        }  # fmt: skip
+        return {"report": {"level": "passed", "digest": "d", "blocked_by": ""}, "host": False, "repaired": str(made)}
 
     monkeypatch.setattr(Dispatcher, "_answer", answer)
     assert Dispatcher(site, lambda: NOW).do_next()
@@ -50,16 +46,16 @@ def test_result_that_comes_after_the_team_was_deleted_is_dropped_with_its_files(
     assert Job.objects.get().state == JobState.DONE
     for folder in ("reports", "blobs", "incoming"):
         assert [path for path in (site.folder / folder).rglob("*") if path.is_file()] == []
-    assert not list((site.folder / "reports").iterdir())
+    assert not [*(site.folder / "reports").iterdir(), *(site.folder / "incoming").iterdir()]
 
 
 def test_deleted_team_hands_in_nothing_and_its_queued_jobs_end(site: SiteConfig) -> None:
-    from rcj_challenges.web.models import Audit, Submission
+    from rcj_challenges.web.models import Audit, Job
     from rcj_challenges.web.receiving import RefusedError
 
     team, _ = make_team("Blue Foxes")
     hand_in(site, team, b"x")
-    left = site.folder / "reports" / f"{Submission.objects.get().pk}.1"
+    left = Blobs(site.folder).working(Job(pk=Job.objects.get().pk, attempt=1))
     left.mkdir()
     delete(team)
     assert not left.exists()

@@ -124,7 +124,7 @@ def test_match_is_played_with_its_seed_and_again_bit_for_bit_when_its_record_is_
     again = Match.objects.get()
     assert (again.digest, again.blue_goals, again.played_at) == (match.digest, match.blue_goals, NOW)
     assert len(replay.read_text(encoding="utf-8")) == pytest.approx(len(first), abs=100)
-    assert list(Blobs(site.folder).incoming.glob("match-*")) == []
+    assert list(Blobs(site.folder).incoming.glob("job-*")) == []
 
 
 def test_match_that_ends_differently_when_it_is_played_again_is_a_fault_of_the_site(
@@ -213,7 +213,7 @@ def test_match_in_which_a_program_was_ended_from_outside_is_repeated_and_the_sec
 
     monkeypatch.setattr(tournament_playing, "play_job", play_job)
     job = {"scenario": "", "seats": {}, "names": {}, "seed": 1, "versions": {}}
-    answer = playing.play({"job": job, "site": str(tmp_path), "playing": str(tmp_path)})
+    answer = playing.play({"job": job, "site": str(tmp_path), "folder": str(tmp_path)})
     assert (answer["result"]["digest"], answer["is_doubtful"], left) == (digests[-1], is_doubtful, [])
 
 

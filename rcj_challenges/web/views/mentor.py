@@ -16,9 +16,9 @@ from django.utils.translation import gettext
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.web import events, jobs, seasons
 from rcj_challenges.web.accounts import Viewer, give_card, write_audit
-from rcj_challenges.web.blobs import report_folder
+from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.models import Entry, Group, Job, JobState, Submission, Team
+from rcj_challenges.web.models import Entry, Group, Job, Submission, Team
 from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.receiving import remove_unneeded
 from rcj_challenges.web.views.guards import only, seen_team
@@ -98,8 +98,7 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
         found.save()
         Submission.objects.filter(team=found).update(is_deleted=True, report=None)
         Entry.objects.filter(team=found).delete()
-        open_jobs = Job.objects.filter(team=found).exclude(state=JobState.DONE)
-        open_jobs.update(state=JobState.DONE, worker="", lease_until=None)  # late results are then dropped
+        jobs.cancel(Job.objects.filter(team=found))
         write_audit(viewer, "delete team", f"team {pk}", request.POST.get("reason", ""), now)
         _remove_files(found)
         seasons.forget(found)
@@ -108,11 +107,12 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
 
 
 def _remove_files(deleted: Team) -> None:
+    site = current_site().folder
     for submission in Submission.objects.filter(team=deleted):
-        shown = report_folder(current_site().folder, submission)
-        for folder in (shown, *shown.parent.glob(f"{submission.pk}.*")):
-            shutil.rmtree(folder, ignore_errors=True)
+        shutil.rmtree(report_folder(site, submission), ignore_errors=True)
         remove_unneeded(submission.sha256)
+    for job in Job.objects.filter(team=deleted):
+        Blobs(site).remove_left(job)
 
 
 def _card(request: HttpRequest, team: Team, code: str) -> dict[str, Any]:
