@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
@@ -12,7 +13,7 @@ from rcj_challenges.submissions.team_name import safe_name
 from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.entries import TeamEntry
-from rcj_challenges.tournament.load import LoadedTournament
+from rcj_challenges.tournament.load import LoadedTournament, load_tournament
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.season import Fixture, Outcome, Ruled, SeasonState, StageState, Team
 from rcj_challenges.tournament.seeds import derived_seed
@@ -29,6 +30,18 @@ _RULED = {
 def data_folder(loaded: LoadedTournament, given: Path | None) -> Path:
     """Return the folder of a tournament's data: the one that was given, else ``NAME_data`` in the current folder."""
     return given if given is not None else Path(f"{loaded.name}_data")
+
+
+@contextmanager
+def open_tournament(file: Path | str, data: Path | None, *, writing: bool) -> Iterator[OpenTournament]:
+    """Open a tournament with its store.
+
+    Raises:
+        RcjError: the file or the store cannot be used.
+    """
+    loaded = load_tournament(file)
+    with Store(data_folder(loaded, data), writing=writing) as store:
+        yield OpenTournament(loaded, store)
 
 
 def sides_of(fixture: Fixture) -> tuple[tuple[str, ...], ...]:

@@ -95,6 +95,21 @@ def withdraw(
     return _note(tournament, before, row, None, [], cascade=cascade)
 
 
+def scores_of(text: str) -> list[float]:
+    """Return the numbers of ``2:1``; none of an empty text.
+
+    Raises:
+        DiagnosticError: it is not a score.
+    """
+    try:
+        scores = [float(part) for part in text.split(":")] if text else []
+    except ValueError:
+        scores = [-1.0]
+    if any(not 0 <= score < float("inf") for score in scores):
+        raise _wrong(codes.RULING_SCORE, f"not a score: '{text}'", "write it as 2:1")
+    return scores
+
+
 _SCORE_HELP = "give a score for each side, such as --score 2:1, or one number for what a team plays alone"
 
 

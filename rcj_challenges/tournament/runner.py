@@ -10,7 +10,6 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
-from typing import Protocol
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
@@ -53,7 +52,7 @@ class Progress:
     left_s: float | None
 
 
-class RunObserver(Protocol):
+class RunObserver:
     """Sees what a run does."""
 
     def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:

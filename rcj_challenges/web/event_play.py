@@ -13,14 +13,12 @@ from rcj_challenges.records.folder import utc_now
 from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.executor import LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker
-from rcj_challenges.tournament.load import LoadedTournament, load_tournament
-from rcj_challenges.tournament.opened import OpenTournament
+from rcj_challenges.tournament.opened import OpenTournament, open_tournament
 from rcj_challenges.tournament.reconcile import reconcile
 from rcj_challenges.tournament.release import release_times
-from rcj_challenges.tournament.runner import Progress, Runner
+from rcj_challenges.tournament.runner import Progress, Runner, RunObserver
 from rcj_challenges.tournament.season import Fixture, Outcome
 from rcj_challenges.tournament.site import publish, site_source
-from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.web.codes import EVENT_CHANGED
 from rcj_challenges.web.errors import SiteError
 
@@ -38,20 +36,18 @@ def play_event(request: Mapping[str, Any], write: Callable[[dict[str, Any]], Non
     Raises:
         RcjError: the tournament cannot be played on this computer, or its archives are not those that were frozen.
     """
-    loaded = load_tournament(request["file"])
-    with Store(Path(request["data"]), writing=request["plays"]) as store:
-        watch = _Watch(loaded, store, request, write)
+    with open_tournament(request["file"], Path(request["data"]), writing=request["plays"]) as tournament:
+        watch = _Watch(tournament, request, write)
         if request["plays"]:
             watch.play()
         return {"failed": watch.failed, **watch.publish()}
 
 
 @dataclass
-class _Watch:
+class _Watch(RunObserver):
     """Publishes the tournament while it is played, and reports its progress."""
 
-    loaded: LoadedTournament
-    store: Store
+    tournament: OpenTournament
     request: Mapping[str, Any]
     write: Callable[[dict[str, Any]], None]
     failed: list[str] = field(default_factory=list)
@@ -59,25 +55,26 @@ class _Watch:
 
     def play(self) -> None:
         """Play all that is not played yet."""
-        tournament = OpenTournament(self.loaded, self.store)
+        tournament, store = self.tournament, self.tournament.store
         teams = tournament.season.teams
-        staying = [one for one in self.loaded.entries.values() if not teams[one.id].withdrawn]
-        handed = take_submissions(staying, self.store)
+        staying = [one for one in tournament.loaded.entries.values() if not teams[one.id].withdrawn]
+        handed = take_submissions(staying, store)
         if other := [one.team for one in handed.values() if one.archive != self.request["hashes"][one.team]]:
             message = f"the archive of {', '.join(other)} is not the one that was frozen"
             raise SiteError(message, "copy it from a backup into the folder of the event", code=EVENT_CHANGED)
         tournament.refresh()
-        jobs = JobMaker(tournament, self.store.current_submissions() | handed, self.request["sandbox"])
+        jobs = JobMaker(tournament, store.current_submissions() | handed, self.request["sandbox"])
         reconcile(tournament, jobs, cascade=False)
-        Runner(tournament, jobs, LocalExecutor(self.store.place, self.request["lanes"]), self).run()
+        Runner(tournament, jobs, LocalExecutor(store.place, self.request["lanes"]), self).run()
 
     def publish(self) -> dict[str, Any]:
         """Write the site; return whether all is played, and when there will be something new to be shown."""
-        tournament, now = OpenTournament(self.loaded, self.store), utc_now()
-        premieres = [name for name, stage in self.loaded.tournament.stages.items() if stage.release is not None]
+        tournament, now = OpenTournament(self.tournament.loaded, self.tournament.store), utc_now()
+        file = tournament.loaded.tournament
+        premieres = [name for name, stage in file.stages.items() if stage.release is not None]
         source = site_source(tournament, now, premieres, self.request["url"])
-        publish(replace(source, **self.request["site"]), self.store.place.folder, may_shrink=True)
-        state, times = tournament.state(), release_times(self.loaded.tournament, tournament.state())
+        publish(replace(source, **self.request["site"]), tournament.store.place.folder, may_shrink=True)
+        state, times = tournament.state(), release_times(file, tournament.state())
         hidden = [at for one, at in times.items() if one in state.outcomes and one not in source.state.outcomes]
         self.published_at_s = time.monotonic()
         return {
@@ -94,9 +91,3 @@ class _Watch:
     def not_played(self, fixture: Fixture, complaint: str) -> None:
         """Note that a match could not be played."""
         self.failed.append(f"{fixture.id}: {complaint}")
-
-    def played_again(self, fixture: Fixture) -> None:
-        """Report nothing: it is played once more."""
-
-    def moment(self, progress: Progress) -> None:
-        """Report nothing."""

@@ -2,34 +2,31 @@
 
 from __future__ import annotations
 
-import secrets
 import shutil
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from datetime import datetime
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import yaml
 from django.db.models import Q
+from django.utils import timezone
 
 from rcj_challenges.records.folder import replaced
-from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.deadlines import close, has_all_receipts, in_time, pending
-from rcj_challenges.web.models import Event, Job, JobState, Season, State, Submission, Team
+from rcj_challenges.web.models import Event, First, Job, JobState, State, Submission, Team
 from rcj_challenges.web.tables import standings_of
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.opened import OpenTournament
 
 FILE, DATA, HASHES = "tournament.yaml", "tournament_data", "hashes.txt"
-_SEED_BYTES = 16
-_POTS, _MOST_POTS = 8, 64
-"""Of a stage without groups, in each of which the order is drawn; and the most that a tournament file takes."""
+_MOST_POTS = 64
+"""The most that a tournament file takes; in each, the order is drawn."""
 
 
 def event_folder(event: Event) -> Path:
@@ -40,12 +37,6 @@ def event_folder(event: Event) -> Path:
 def has_begun(event: Event) -> bool:
     """Return whether its tournament has been drawn: then its form is not changed any more."""
     return (event_folder(event) / DATA).exists()
-
-
-def new_event(season: Season, **fields: Any) -> Event:
-    """Make an event, with a seed whose hash is shown from now on."""
-    seed = secrets.token_hex(_SEED_BYTES)
-    return Event.objects.create(season=season, seed=seed, seed_hash=seed_hash(seed), **fields)
 
 
 # --- the freeze -------------------------------------------------------------------------------------------------------
@@ -76,19 +67,12 @@ def _chosen(event: Event) -> list[tuple[int, str, int]]:
     ranked = [] if basis is None else standings_of(basis).ranked
     places = {row.digest: place for place, row in enumerate(ranked, 1)}
     accepted = in_time(event).filter(state=State.ACCEPTED).defer("report").order_by("team", "number")
-    found = []
-    for team, some in groupby(accepted, lambda one: one.team_id):
-        own = list(some)
-        active, over = event.chosen.get(str(team), (None, 0))
-        before = next((one for one in own if one.pk == active), None)
-        newer = [one for one in own if one.number > over and (before is None or _order(one) > _order(before))]
-        one = max(newer, key=_order, default=before or own[-1])
-        found.append((team, one.sha256, places.get(one.digest, 0)))
-    return found
-
-
-def _order(one: Submission) -> tuple[bool, int]:
-    return not one.is_late, one.number
+    playing: dict[int, Submission] = {}
+    for one in accepted:
+        active, chosen_over = event.chosen.get(str(one.team_id), (None, 0))
+        if one.pk == active or one.replaces(playing.get(one.team_id), chosen_over):
+            playing[one.team_id] = one
+    return [(team, one.sha256, places.get(one.digest, 0)) for team, one in playing.items()]
 
 
 def attend(now: datetime) -> None:
@@ -98,9 +82,6 @@ def attend(now: datetime) -> None:
             close(now)
     for event in Event.objects.filter(closed_at__isnull=False, frozen_at=None):
         freeze(event, now)
-    for event in Event.objects.filter(frozen_at__isnull=False).select_related("season"):
-        if not (event_folder(event) / HASHES).exists():  # a process was killed before it wrote them
-            write(event)
     due = Event.objects.filter(Q(plays=True) | Q(publish_at__lte=now))
     for event in due.exclude(job__state__in=(JobState.QUEUED, JobState.RUNNING, JobState.STUCK)):
         with jobs.writing():
@@ -112,12 +93,15 @@ def attend(now: datetime) -> None:
 
 def request_of(event: Event) -> dict[str, Any]:
     """Return what the process of an event is to do."""
-    folder = event_folder(event)
-    teams = Team.objects.filter(pk__in=[team for team, *_ in event.frozen], is_name_public=False)
-    site = {"id": f"event{event.pk}", "home": f"/events/{event.pk}", "unnamed": [f"team{team.pk}" for team in teams]}
-    hashes = {f"team{team}": sha256 for team, sha256, _ in event.frozen}
-    return {"file": str(folder / FILE), "data": str(folder / DATA), "plays": event.plays, "url": event.address,
-            "site": site, "hashes": hashes}  # fmt: skip
+    folder, unnamed = event_folder(event), [f"team{one.pk}" for one in event.teams.filter(is_name_public=False)]
+    return {
+        "file": str(folder / FILE),
+        "data": str(folder / DATA),
+        "plays": event.plays,
+        "url": f"{event.address}{event.pk}/",
+        "site": {"id": f"event{event.pk}", "home": f"/events/{event.pk}", "unnamed": unnamed},
+        "hashes": {f"team{team}": sha256 for team, sha256, _ in event.frozen},
+    }
 
 
 def store_played(event: Event, answer: Mapping[str, Any], now: datetime) -> None:
@@ -129,34 +113,51 @@ def store_played(event: Event, answer: Mapping[str, Any], now: datetime) -> None
         Event.objects.filter(pk=event.pk).update(plays=False, played_at=now if answer["is_over"] else None)
 
 
+def play(event: Event, now: datetime) -> None:
+    """Have the matches of an event played, or what is left of them."""
+    Event.objects.filter(pk=event.pk).update(plays=True)
+    for job in Job.objects.filter(event=event):
+        jobs.try_again(job, now)
+
+
 def pause(event: Event) -> None:
-    """Stop the matches of an event; a dispatcher ends their process within seconds. Called inside `jobs.writing`."""
-    Event.objects.filter(pk=event.pk).update(plays=False)
-    Job.objects.filter(event=event).update(state=JobState.DONE, worker="", lease_until=None)
+    """Stop the matches of an event; a dispatcher ends their process within seconds."""
+    with jobs.writing():
+        Event.objects.filter(pk=event.pk).update(plays=False)
+        jobs.cancel(Job.objects.filter(event=event))
+
+
+def delete(event: Event) -> None:
+    """Delete an event whose matches have not begun."""
+    shutil.rmtree(event_folder(event), ignore_errors=True)
+    with jobs.writing():
+        event.delete()
+
+
+def _events_of(team: Team) -> Iterator[Event]:
+    found = Event.objects.exclude(frozen=[]).select_related("season")
+    return (one for one in found if any(playing == team.pk for playing, *_ in one.frozen))
 
 
 def unfinished(team: Team) -> Event | None:
     """Return an event in which a team is playing at this time."""
-    found = (one for one in Event.objects.exclude(frozen=[]) if any(playing == team.pk for playing, *_ in one.frozen))
-    return next((one for one in found if has_begun(one) and (one.plays or one.played_at is None)), None)
+    return next((one for one in _events_of(team) if has_begun(one) and (one.plays or one.played_at is None)), None)
 
 
 def forget(team: Team, name: str, now: datetime) -> None:
     """Remove what events keep of a team that was deleted, also its name; results stay. Called inside `jobs.writing`."""
     from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415 - loads the code of tournaments
 
-    for event in Event.objects.exclude(frozen=[]).select_related("season"):
+    for event in _events_of(team):
         hashes = {one: sha256 for one, sha256, _ in event.frozen}
-        if team.pk not in hashes:
-            continue
-        sha256, data = hashes.pop(team.pk), event_folder(event) / DATA
+        sha256, data, archive = hashes.pop(team.pk), event_folder(event) / DATA, event_folder(event) / _archive(team.pk)
         if not has_begun(event):
-            (event_folder(event) / _archive(team.pk)).unlink(missing_ok=True)
+            archive.unlink(missing_ok=True)
             event.frozen = [one for one in event.frozen if one[0] != team.pk]
             event.save(update_fields=("frozen",))
             write(event)
             continue
-        (event_folder(event) / _archive(team.pk)).write_bytes(b"")  # the tournament file names it
+        archive.write_bytes(b"")  # the tournament file names it
         with Store(data, writing=True) as store:
             for job in store.rename(sha256, name, team.public_name):
                 shutil.rmtree(store.place.record_of(job), ignore_errors=True)
@@ -182,37 +183,39 @@ def write(event: Event) -> None:
     with replaced(folder / FILE) as file:
         file.write(yaml.safe_dump(_tournament(event), allow_unicode=True, sort_keys=False).encode())
     with replaced(folder / HASHES) as file:
-        file.write("".join(f"{sha256}  {_archive(team)}\n" for team, sha256, _ in event.frozen).encode())
+        file.write(hashes(event).encode())
+
+
+def hashes(event: Event) -> str:
+    """Return the SHA-256 of the archives that play, as ``sha256sum`` reads them."""
+    return "".join(f"{sha256}  {_archive(team)}\n" for team, sha256, _ in event.frozen)
 
 
 def _archive(team: int) -> str:
     return f"frozen/team{team}.zip"
 
 
-@contextmanager
-def opened(event: Event, *, writing: bool) -> Iterator[OpenTournament]:
+def opened(event: Event, *, writing: bool) -> AbstractContextManager[OpenTournament]:
     """Open the tournament of an event.
 
     Raises:
         DiagnosticError: its formats do not fit its teams, or its matches are being played, and it is to be written.
     """
-    from rcj_challenges.tournament.load import load_tournament  # noqa: PLC0415 - loads the code of scenarios
-    from rcj_challenges.tournament.opened import OpenTournament  # noqa: PLC0415
-    from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415
+    from rcj_challenges.tournament.opened import open_tournament  # noqa: PLC0415 - loads the code of scenarios
 
-    loaded = load_tournament(event_folder(event) / FILE)
-    with Store(event_folder(event) / DATA, writing=writing) as store:
-        yield OpenTournament(loaded, store)
+    if not (event_folder(event) / FILE).exists():  # a process was killed before it wrote it
+        write(event)
+    return open_tournament(event_folder(event) / FILE, event_folder(event) / DATA, writing=writing)
 
 
 def _tournament(event: Event) -> dict[str, Any]:
     """Return the content of the tournament file."""
-    choices, season, path = event.choices, event.season, Path(event.season.scenario)
+    season, path = event.season, Path(event.season.scenario)
     scenario = str(path.resolve()) if path.is_file() else season.scenario
-    names = {team.pk: team.public_name for team in Team.objects.filter(pk__in=[team for team, *_ in event.frozen])}
+    names = {team.pk: team.public_name for team in event.teams}
     order = sorted(event.frozen, key=lambda one: (one[2] == 0, one[2], one[0]))
     ranked = sum(place > 0 for *_, place in order)  # places are of all programs of the ladder, pots of what plays
-    size = max(choices["groups"], -(-ranked // _MOST_POTS)) if choices["first"] == "groups" else -(-ranked // _POTS)
+    size = max(event.groups, -(-ranked // _MOST_POTS))
     return {
         "tournament_version": 1,
         "title": event.title,
@@ -222,30 +225,26 @@ def _tournament(event: Event) -> dict[str, Any]:
         "set": {path: yaml.safe_load(value) for path, _, value in (one.partition("=") for one in season.overrides)},
         "teams_folder": "frozen",
         "teams": {
-            f"team{team}": {"name": names[team], **({"pot": 1 + number // size} if number < ranked else {})}
+            f"team{team}": {"name": names[team], "pot": 1 + number // size if number < ranked else 0}
             for number, (team, *_) in enumerate(order)
         },
         "tie_breaks": ["points", "goal_difference", "goals", "head_to_head", "lot"],
         "drawn": {"extra_time": {}},
-        "stages": _stages(choices, scenario),
+        "stages": _stages(event, scenario),
     }
 
 
-def _stages(choices: Mapping[str, Any], scenario: str) -> dict[str, Any]:
-    first, stages = choices["first"], dict[str, Any]()
-    if first == "groups":
-        stages["groups"] = {"stage": "round_robin", "groups": choices["groups"], "title": "Groups"}
-    elif first == "swiss":
-        stages["swiss"] = {"stage": "swiss", "rounds": choices["rounds"], "title": "Swiss stage"}
-    elif first == "challenge":
-        one = {"challenge": {"scenario": scenario}}
-        stages["challenge"] = {"stage": "challenge", "scenarios": one, "seeds": choices["seeds"], "title": "Challenge"}
-    if first == "knock_out":
-        stages["finals"] = {"stage": "knock_out", "title": "Finals"}
-    elif choices["finalists"] and stages and first != "challenge":
-        places = f"1-{choices['finalists']}"
-        stages["finals"] = {"stage": "knock_out", "from": first, "places": places, "title": "Finals"}
-    if choices["premiere"]:
-        last = stages[list(stages)[-1]]
-        last |= {"release": choices["premiere"], "minutes_between": choices["minutes_between"]}
+def _stages(event: Event, scenario: str) -> dict[str, Any]:
+    known: dict[str, dict[str, Any]] = {
+        First.GROUPS: {"stage": "round_robin", "groups": event.groups},
+        First.SWISS: {"stage": "swiss", "rounds": event.rounds},
+        First.CHALLENGE: {"stage": "challenge", "scenarios": {"run": {"scenario": scenario}}, "seeds": event.seeds},
+        First.FINALS: {"stage": "knock_out"},
+    }
+    stages = {event.first: known[event.first]}
+    if event.finalists and event.first in {First.GROUPS, First.SWISS}:
+        stages["finals"] = {**known[First.FINALS], "from": event.first, "places": f"1-{event.finalists}"}
+    if event.premiere is not None:
+        release = f"{timezone.localtime(event.premiere):%Y-%m-%d %H:%M}"
+        stages[list(stages)[-1]] |= {"release": release, "minutes_between": event.minutes_between}
     return stages

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import secrets
+from datetime import UTC, datetime
 from typing import Any
 
 from django.contrib.auth.base_user import AbstractBaseUser, BaseUserManager
 from django.core.exceptions import ValidationError
+from django.core.validators import MaxValueValidator, MinValueValidator
 from django.db import models
 from django.db.models import Q
+from django.utils import timezone
+from django.utils.translation import gettext_lazy
 
 from rcj_challenges.core.errors import RcjError
+from rcj_challenges.tournament.seeds import seed_hash
 
 
 class Role(models.TextChoices):
@@ -157,14 +163,36 @@ class Season(models.Model):
             raise ValidationError(str(error)) from error
 
 
+class First(models.TextChoices):
+    """The first stage of an event."""
+
+    GROUPS = "groups", gettext_lazy("groups: all of each group meet")
+    SWISS = "swiss", gettext_lazy("Swiss: in each round, teams with equal points meet")
+    FINALS = "finals", gettext_lazy("none, only the knock-out")
+    CHALLENGE = "challenge", gettext_lazy("challenge: each team plays alone, for a scenario with one team")
+
+
+def new_seed() -> str:
+    """Return a seed that cannot be guessed."""
+    return secrets.token_hex(16)
+
+
+def _within(least: int, most: int) -> tuple[MinValueValidator, MaxValueValidator]:
+    return MinValueValidator(least), MaxValueValidator(most)
+
+
+_AHEAD = (
+    MinValueValidator(timezone.now, gettext_lazy("This time has passed.")),
+    MaxValueValidator(datetime(2200, 1, 1, tzinfo=UTC)),
+)
+
+
 class Event(models.Model):
     """A tournament with what plays at its deadline (`events`).
 
     Attributes:
-        choices: of its form: formats, sizes, and when the finals are shown.
-        address: of its pages, for calendars.
+        address: of the pages of events, for calendars.
         seed: of all random choices.
-        seed_hash: shown from the beginning.
         closed_at: when the deadline was first seen to have passed.
         chosen: by team what played then, and `Entry.chosen_over`.
         frozen_at: when it was fixed what plays.
@@ -175,12 +203,28 @@ class Event(models.Model):
     """
 
     season = models.ForeignKey(Season, on_delete=models.PROTECT)
-    title = models.CharField(max_length=80)
-    deadline = models.DateTimeField()
-    choices = models.JSONField()
+    title = models.CharField(gettext_lazy("Title"), max_length=80)
+    deadline = models.DateTimeField(gettext_lazy("Deadline"), validators=_AHEAD)
+    first = models.CharField(gettext_lazy("First stage"), max_length=10, choices=First.choices, default=First.GROUPS)
+    groups = models.IntegerField(gettext_lazy("Groups"), default=1, validators=_within(1, 26))
+    rounds = models.IntegerField(gettext_lazy("Rounds of a Swiss stage"), default=5, validators=_within(1, 64))
+    finalists = models.IntegerField(
+        gettext_lazy("Teams that reach the knock-out, of each group; 0: there is none"),
+        default=4,
+        validators=_within(0, 64),
+    )
+    seeds = models.IntegerField(gettext_lazy("Runs of a challenge"), default=5, validators=_within(1, 1000))
+    premiere = models.DateTimeField(
+        gettext_lazy("First premiere of the last stage; empty: results are shown as soon as they are known"),
+        null=True,
+        blank=True,
+        validators=_AHEAD,
+    )
+    minutes_between = models.IntegerField(
+        gettext_lazy("Minutes between premieres"), default=30, validators=_within(0, 10_080)
+    )
     address = models.CharField(max_length=200)
-    seed = models.CharField(max_length=64)
-    seed_hash = models.CharField(max_length=64)
+    seed = models.CharField(max_length=64, default=new_seed)
     closed_at = models.DateTimeField(null=True)
     chosen = models.JSONField(default=dict)
     frozen_at = models.DateTimeField(null=True)
@@ -194,6 +238,16 @@ class Event(models.Model):
 
     def __str__(self) -> str:
         return self.title
+
+    @property
+    def seed_hash(self) -> str:
+        """The SHA-256 of the seed, which is shown from the beginning."""
+        return seed_hash(self.seed)
+
+    @property
+    def teams(self) -> models.QuerySet[Team]:
+        """The teams that play."""
+        return Team.objects.filter(pk__in=[team for team, *_ in self.frozen]).order_by("pk")
 
 
 class State(models.TextChoices):
@@ -231,7 +285,7 @@ class Submission(models.Model):
     received_at = models.DateTimeField()
     via = models.CharField(max_length=10)
     is_late = models.BooleanField(default=False)
-    late_for = models.ForeignKey(Event, on_delete=models.PROTECT, null=True, blank=True)
+    late_for = models.ForeignKey(Event, on_delete=models.SET_NULL, null=True, blank=True)
     is_counted = models.BooleanField(default=True)
     state = models.CharField(max_length=12, choices=State.choices, default=State.QUEUED)
     level = models.CharField(max_length=10, blank=True)
@@ -246,6 +300,15 @@ class Submission(models.Model):
 
     def __str__(self) -> str:
         return f"{self.team} {self.number}"
+
+    def replaces(self, active: Submission | None, chosen_over: int) -> bool:
+        """Return whether it plays instead of another one of its team, once it is accepted.
+
+        A late one does not replace one that was in time, nor an older one the team's own choice.
+        """
+        if active is None:
+            return True
+        return self.number > chosen_over and (not self.is_late, self.number) > (not active.is_late, active.number)
 
 
 class Entry(models.Model):

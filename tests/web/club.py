@@ -130,7 +130,7 @@ def make_match(config: SiteConfig, blue: Any, yellow: Any, kind: str = "rated", 
 def make_club(config: SiteConfig) -> Club:
     """Make it on the site that this process works on."""
     from rcj_challenges.web import deadlines, events, jobs
-    from rcj_challenges.web.models import Account, Entry, Group, Role
+    from rcj_challenges.web.models import Account, Entry, Event, Group, Role
 
     made = {name: make_team(f"Secret {name}", "School 2" if name == "foreign" else "School 1") for name in _TEAMS}
     teams = {name: team for name, (team, _) in made.items()}
@@ -146,7 +146,9 @@ def make_club(config: SiteConfig) -> Club:
     for one in playing:
         Entry.objects.create(team=one.team, season=one.season, active=one)
     rated = make_match(config, *playing)
-    event = events.new_event(playing[0].season, title="Cup", deadline=NOW, choices=CHOICES, address="http://club/")
+    event = Event.objects.create(
+        season=playing[0].season, title="Cup", deadline=NOW, address="http://club/", finalists=2
+    )
     with jobs.writing():
         deadlines.close(NOW + timedelta(seconds=1))
     events.freeze(event, NOW + timedelta(hours=1))
@@ -166,14 +168,4 @@ def make_club(config: SiteConfig) -> Club:
     return Club(clients, teams, submissions, practice, rated, event, codes)
 
 
-CHOICES = {
-    "first": "groups",
-    "groups": 1,
-    "rounds": 2,
-    "finalists": 2,
-    "seeds": 1,
-    "premiere": "",
-    "minutes_between": 0,
-}
-"""Of the form of an event."""
 _TEAMS = ("own", "foreign", "deleted")

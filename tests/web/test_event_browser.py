@@ -106,7 +106,7 @@ def begin_premiere(served: Served, ago: timedelta) -> None:
     """Let the premiere of the event have begun in the minute of some time ago."""
     with use_site(served.config):
         event, now = Event.objects.get(), timezone.now()
-        event.choices["premiere"] = timezone.localtime(now - ago).strftime("%Y-%m-%d %H:%M")
+        event.premiere = now - ago
         event.publish_at = now
         event.save()
 

@@ -17,7 +17,7 @@ from rcj_challenges.web import deadlines, events, jobs
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.models import Event, Job, JobState, Match, Season, State, Submission
 from tests.checker.small_team import PLAYER
-from tests.web.club import CHOICES, new_client
+from tests.web.club import new_client
 from tests.web.conftest import NOW, make_team, use_site
 from tests.web.handing_in import hand_in
 from tests.web.test_matches import accepted, add, begun
@@ -26,14 +26,16 @@ from tests.web.test_organizers import organizer
 SECOND = timedelta(seconds=1)
 COMPLETE = NOW + timedelta(minutes=3) + SECOND
 """Then no upload can come any more that began before the deadline."""
-FORM = {**CHOICES, "title": "Spring cup", "deadline": "2026-03-14T13:00"}
+FORM = {
+    "title": "Spring cup", "deadline": "2099-03-14T13:00", "first": "groups", "groups": 1, "rounds": 2, "finalists": 2,
+    "seeds": 1, "premiere": "", "minutes_between": 0,
+}  # fmt: skip
 
 
 def make_event(deadline: datetime = NOW, **choices: Any) -> Event:
     """Make an event of the season of the site that this process works on."""
-    event = events.new_event(
-        Season.objects.get(), title="Cup", deadline=deadline, choices={**CHOICES, **choices}, address="http://club/"
-    )
+    given = {"title": "Cup", "deadline": deadline, "address": "http://club/", "finalists": 2, **choices}
+    event = Event.objects.create(season=Season.objects.get(), **given)
     return Event.objects.get(pk=event.pk)
 
 
@@ -156,10 +158,10 @@ def test_clock_that_is_set_back_before_the_deadline_changes_nothing(site: SiteCo
     ("local", "last"),
     [
         # The night in which 2:00 becomes 3:00, and that in which 3:00 becomes 2:00.
-        ("2026-03-29T03:00", datetime(2026, 3, 29, 1, 0, tzinfo=UTC)),
-        ("2026-10-25T03:00", datetime(2026, 10, 25, 2, 0, tzinfo=UTC)),
-        ("2026-03-29T02:30", None),
-        ("2026-10-25T02:30", None),
+        ("2099-03-29T03:00", datetime(2099, 3, 29, 1, 0, tzinfo=UTC)),
+        ("2099-10-25T03:00", datetime(2099, 10, 25, 2, 0, tzinfo=UTC)),
+        ("2099-03-29T02:30", None),
+        ("2099-10-25T02:30", None),
     ],
 )
 def test_deadline_is_one_moment_in_the_zone_of_the_site(
@@ -199,7 +201,7 @@ def test_seed_is_kept_secret_and_its_hash_shown_from_the_beginning(site: SiteCon
         ({"first": "groups", "groups": 2, "finalists": 2}, ["round_robin", "knock_out"]),
         ({"first": "swiss", "rounds": 3, "finalists": 4}, ["swiss", "knock_out"]),
         ({"first": "swiss", "rounds": 3, "finalists": 0}, ["swiss"]),
-        ({"first": "knock_out"}, ["knock_out"]),
+        ({"first": "finals"}, ["knock_out"]),
         ({"first": "challenge", "seeds": 3}, ["challenge"]),
     ],
 )
@@ -211,7 +213,7 @@ def test_tournament_file_of_each_format_can_be_played(
         Season.objects.update(scenario="fast_shooter", overrides=[])
     for team in teams:
         check(hand_in(site, team, f"{team.pk}".encode()))
-    event = make_event(**choices, premiere="2026-03-15 18:00", minutes_between=20)
+    event = make_event(**choices, premiere=datetime(2026, 3, 15, 18, tzinfo=UTC), minutes_between=20)
     frozen()
     loaded = load_tournament(events.event_folder(event) / events.FILE)
     assert [one.stage for one in loaded.tournament.stages.values()] == stages
@@ -252,8 +254,10 @@ def test_pots_are_of_what_plays_however_many_programs_the_ladder_has(site: SiteC
 
 
 @pytest.mark.parametrize("zone", ["Pacific/Auckland", "America/New_York"])
-@pytest.mark.parametrize("wrong", ["0001-01-01T00:00", "0026-03-14T13:00", "9999-12-31T23:59"])
-def test_year_that_was_mistyped_is_refused(folder: Callable[..., SiteConfig], zone: str, wrong: str) -> None:
+@pytest.mark.parametrize("wrong", ["0001-01-01T00:00", "0026-03-14T13:00", "2026-11-29T13:00", "9999-12-31T23:59"])
+def test_time_that_has_passed_or_whose_year_was_mistyped_is_refused(
+    folder: Callable[..., SiteConfig], zone: str, wrong: str
+) -> None:
     with use_site(folder(time_zone=zone)):
         make_team()
         client = organizer()
@@ -270,13 +274,31 @@ def test_form_can_be_changed_until_the_matches_begin_and_the_deadline_until_it_h
     client, address = organizer(), f"/desk/events/{event.pk}"
     frozen()
     assert b"too few" in client.get(address).content
-    form = {**FORM, "groups": "2", "deadline": "2030-01-01T12:00", "act": "save"}
-    assert client.post(f"{address}/change", {**form, "groups": "0"}).status_code == 400
-    assert client.post(f"{address}/change", form).status_code == 302
+    form = {**FORM, "groups": "2", "deadline": "2099-01-01T12:00"}
+    assert client.post(address, {**form, "groups": "0"}).status_code == 400
+    assert client.post(address, form).status_code == 302
     assert b"too few" not in client.get(address).content
     assert Event.objects.get().deadline == NOW
     (events.event_folder(event) / events.DATA).mkdir()
-    assert client.post(f"{address}/change", form).status_code == 409
+    assert client.post(address, {**form, "groups": "1"}).status_code == 400
+    assert Event.objects.get().groups == 2
+
+
+def test_event_is_deleted_while_it_has_not_been_played(site: SiteConfig) -> None:
+    team, _ = make_team()
+    check(hand_in(site, team, b"in time"))
+    event = make_event()
+    late = hand_in(site, team, b"late", now=NOW + SECOND)
+    frozen()
+    client, folder, change = organizer(), events.event_folder(event), f"/desk/events/{event.pk}/change"
+    gone = {"act": "delete", "confirm": "Cup"}
+    assert client.post(change, {**gone, "confirm": "cup"}).status_code == 409
+    (folder / events.DATA).mkdir()
+    assert client.post(change, gone).status_code == 409
+    (folder / events.DATA).rmdir()
+    assert client.post(change, gone).status_code == 302
+    late.refresh_from_db()
+    assert (Event.objects.count(), folder.exists(), late.late_for) == (0, False, None)
 
 
 def test_format_that_the_scenario_does_not_have_is_refused(site: SiteConfig) -> None:
@@ -284,8 +306,10 @@ def test_format_that_the_scenario_does_not_have_is_refused(site: SiteConfig) -> 
     assert organizer().post("/desk/events/new", {**FORM, "first": "challenge"}).status_code == 400
 
 
-@pytest.mark.parametrize("premiere", ["", "2026-03-15 18:00"])
-def test_number_of_matches_is_not_shown_before_a_premiere_as_extra_time_is_one(site: SiteConfig, premiere: str) -> None:
+@pytest.mark.parametrize("premiere", [None, NOW])
+def test_number_of_matches_is_not_shown_before_a_premiere_as_extra_time_is_one(
+    site: SiteConfig, premiere: datetime | None
+) -> None:
     make_team()
     event = make_event(premiere=premiere)
     with jobs.writing():
@@ -308,6 +332,7 @@ def test_folder_of_a_freeze_that_was_cut_off_is_written_later(
         cut_off.setattr(events, "write", die)
         with pytest.raises(KeyboardInterrupt):
             events.attend(COMPLETE)
+    assert organizer().get(f"/desk/events/{Event.objects.get().pk}").status_code == 200
     assert list(frozen().values()) == [hash_of(b"1")]
 
 

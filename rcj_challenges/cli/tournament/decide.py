@@ -11,7 +11,7 @@ from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.cli.tournament.group import Cascade, Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import score_words, team_words
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.tournament.codes import RULING_SCORE, WHICH_DECISION
+from rcj_challenges.tournament.codes import WHICH_DECISION
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.season import SeasonState, Tie
@@ -62,8 +62,9 @@ def decide(
         if withdraw is not None:
             lost = rulings.withdraw(tournament, withdraw, reason, undo=undo, cascade=cascade)
         else:
+            scores = rulings.scores_of(score or "")
             lost = rulings.decide(
-                tournament, match or "", given[0], reason, losers=forfeit or (), scores=_scores(score), cascade=cascade
+                tournament, match or "", given[0], reason, losers=forfeit or (), scores=scores, cascade=cascade
             )
         after = tournament.state()
     lines = [f"{fixture} is played again by the next run" for fixture in lost]
@@ -96,18 +97,3 @@ def _changes(before: SeasonState, after: SeasonState) -> list[str]:
 
 def _winner(tie: Tie, state: SeasonState) -> str:
     return team_words(state.teams, tie.winner) if tie.winner else "neither team" if tie.decided_by else ""
-
-
-def _scores(text: str | None) -> list[float]:
-    """Numbers of ``2:1``.
-
-    Raises:
-        DiagnosticError: it is not a score.
-    """
-    try:
-        scores = [] if text is None else [float(part) for part in text.split(":")]
-    except ValueError:
-        scores = [-1.0]
-    if any(not 0 <= score < float("inf") for score in scores):
-        raise DiagnosticError(Diagnostic(RULING_SCORE, f"not a score: '{text}'", "write it as 2:1"))
-    return scores

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -32,17 +31,12 @@ Cascade = Annotated[
 ]
 
 
-@contextmanager
-def opened(file: str, data: Path | None, *, writing: bool = False) -> Iterator[OpenTournament]:
+def opened(file: str, data: Path | None, *, writing: bool = False) -> AbstractContextManager[OpenTournament]:
     """Open a tournament with its store.
 
     Raises:
         RcjError: the file or the store cannot be used.
     """
-    from rcj_challenges.tournament.load import load_tournament
-    from rcj_challenges.tournament.opened import OpenTournament, data_folder
-    from rcj_challenges.tournament.store.store import Store
+    from rcj_challenges.tournament.opened import open_tournament
 
-    loaded = load_tournament(file)
-    with Store(data_folder(loaded, data), writing=writing) as store:
-        yield OpenTournament(loaded, store)
+    return open_tournament(file, data, writing=writing)

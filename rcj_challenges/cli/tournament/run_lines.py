@@ -16,7 +16,7 @@ from rcj_challenges.cli.stdio import print_progress
 from rcj_challenges.cli.tournament.tables import duration_words, score_words, stage_tables
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.opened import OpenTournament
-from rcj_challenges.tournament.runner import Progress
+from rcj_challenges.tournament.runner import Progress, RunObserver
 from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState, Status
 
 _NEWEST_SHOWN = 5
@@ -31,7 +31,7 @@ def observer_for(console: Console, tournament: OpenTournament, *, quiet: bool) -
     return RunLines(console, tournament)
 
 
-class RunLines:
+class RunLines(RunObserver):
     """Prints a line for each match; a context manager.
 
     Attributes:
@@ -80,9 +80,6 @@ class RunLines:
     def played_again(self, fixture: Fixture) -> None:
         """Print that a match is played once more."""
         self.note(f"{fixture.id}: a time limit decided something; it is played once more, alone")
-
-    def moment(self, progress: Progress) -> None:
-        """Nothing has happened for a moment."""
 
     def _print_tables(self, state: SeasonState) -> None:
         for stage in state.stages:

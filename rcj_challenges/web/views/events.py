@@ -15,9 +15,10 @@ from django.utils import timezone
 from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_safe
 
+from rcj_challenges.web import events
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.events import DATA, HASHES, event_folder
-from rcj_challenges.web.models import Event, Job, JobState, Team
+from rcj_challenges.web.events import DATA, event_folder
+from rcj_challenges.web.models import Event, Job, JobState
 from rcj_challenges.web.pages import page, public_address
 from rcj_challenges.web.settings import POLICY
 from rcj_challenges.web.views.guards import plain
@@ -43,10 +44,9 @@ def all_events(request: HttpRequest) -> HttpResponse:
 def event(request: HttpRequest, pk: int) -> HttpResponse:
     """Show an event: its deadline and format, the hash of its seed, and the teams that play."""
     found = get_object_or_404(Event, pk=pk)
-    playing = Team.objects.filter(pk__in=[team for team, *_ in found.frozen]).order_by("pk")
     job = Job.objects.filter(event=found, state=JobState.RUNNING).first()
     has_site = (_site(found) / "index.html").is_file()
-    return page(request, "event.html", event=found, teams=playing, job=job, has_site=has_site)
+    return page(request, "event.html", event=found, teams=found.teams, job=job, has_site=has_site)
 
 
 def _site(event: Event) -> Path:
@@ -56,10 +56,7 @@ def _site(event: Event) -> Path:
 @require_GET
 def hashes(request: HttpRequest, pk: int) -> HttpResponse:
     """Return the SHA-256 of the archives that play."""
-    try:
-        return plain((event_folder(get_object_or_404(Event, pk=pk)) / HASHES).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise Http404 from error
+    return plain(events.hashes(get_object_or_404(Event, pk=pk, frozen_at__isnull=False)))
 
 
 @require_safe
