@@ -1,4 +1,4 @@
-"""Notes on rules that did not fire in a test because of a condition: it did not hold, or it held all the time."""
+"""Notes on rules that did not fire in a test: a condition did not hold, or nothing happened that they wait for."""
 
 from __future__ import annotations
 
@@ -11,9 +11,11 @@ import yaml
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Condition, Trigger
+from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS
 from rcj_challenges.tracking.bound_rules import Denied
+from rcj_challenges.tracking.trackers import Missed
 
 
 class Wanted(NamedTuple):
@@ -61,22 +63,37 @@ def denied_condition_notes(
         yield f"note: {name} was triggered at {s_from_ticks(tick):g} s, and {which} did not hold{yet}"
 
 
-def already_true_notes(
-    ticks: Mapping[str, int], scenario: Scenario, wanted: Wanted, fired: Container[str]
+def missed_notes(
+    missed: Iterable[tuple[str, Missed]], scenario: Scenario, wanted: Wanted, fired: Container[str]
 ) -> Iterable[str]:
-    """Return notes on rules that waited for a condition to come true that held already at a tick, by rule.
+    """Return notes on what set off no rule, by entity: it is no entry, the other direction, or held already.
 
-    A rule beside which another one waits for the opposite is meant for changes.
+    A rule that waits for a condition to come true, beside one that waits for the opposite, is meant for changes.
     """
     triggers = {name: [_watched(one) for one in rule.triggers] for name, rule in scenario.rules.items()}
     watched = {one for listed in triggers.values() for one in listed}
-    for name, tick in ticks.items():
-        is_for_changes = any((what, not is_so) in watched for what, is_so in triggers[name] if what)
-        if _gives(name, scenario.rules[name], wanted) and name not in fired and not is_for_changes:
-            yield (
-                f"note: {name} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
-                "with for_s: 0.05 that counts too"
-            )
+    noted: set[tuple[str, str]] = set()
+    for entity, one in sorted(missed, key=lambda about: about[1].tick):
+        at = f"at {s_from_ticks(one.tick):g} s"
+        rules = dict.fromkeys(binding.rule.name for binding in one.bindings)
+        if one.kind == "crossed":
+            why = f"not counted by {listing(rules)}, with the other direction" if rules else "no step of a sequence"
+            yield f"note: {entity} crossed {one.what} {at}: {why}"
+            continue
+        for name in rules:
+            if (name, one.kind) in noted or name in fired or not _gives(name, scenario.rules[name], wanted):
+                continue
+            noted.add((name, one.kind))
+            if one.kind == "placed":
+                yield (
+                    f"note: {entity} was put into {one.what} {at}, which does not trigger {name}: a placed thing has "
+                    f"not entered the zone; use 'holds' with {{entity: {entity}, in: {one.what}}} and for_s: 0.05"
+                )
+            elif not any((what, not is_so) in watched for what, is_so in triggers[name] if what):
+                yield (
+                    f"note: {name} waits for a condition to come true that held already {at}; "
+                    "with for_s: 0.05 that counts too"
+                )
 
 
 def _watched(trigger: Trigger) -> tuple[str, bool]:

@@ -13,8 +13,7 @@ from rcj_challenges.core.amounts import counted, number_words, round_score, time
 from rcj_challenges.core.play import Event, HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
-from rcj_challenges.expect.denied import Wanted, already_true_notes, denied_condition_notes
-from rcj_challenges.expect.placed_inside import placed_inside_notes
+from rcj_challenges.expect.denied import Wanted, denied_condition_notes, missed_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.referee.engine import Referee
@@ -110,9 +109,7 @@ def _play(
         (
             *_no_room(match),
             *_not_drawn(match, expected),
-            *match.wrong_ways.notes(),
-            *already_true_notes(match.referee.already_true, scenario, wanted, fired),
-            *placed_inside_notes(match.placements, scenario, loaded.roster, wanted.missing, fired),
+            *missed_notes(match.referee.missed, scenario, wanted, fired),
             *denied_condition_notes(match.referee.denied or {}, scenario, wanted, fired),
             *_early_end_notes(match, scenario, expected, wanted),
             *_course(match, differences),

@@ -8,7 +8,6 @@ from typing import Any
 
 from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, ticks_from_s
-from rcj_challenges.expect.wrong_way import WrongWays
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.state import float32
 from rcj_challenges.scenario.draw_order import Series
@@ -53,7 +52,6 @@ class ScriptedMatch:
         events, firings: all so far, in order.
         placements: all so far, each with its tick.
         received: by robot, the last broadcast that it received.
-        wrong_ways: the gates that were crossed the way that does not count.
         is_over: whether the half has ended.
         phases: all phases so far, each with the tick in which it was entered.
     """
@@ -85,7 +83,6 @@ class ScriptedMatch:
         self._frozen: list[list[Pose2]] | None = None
         self._parked: set[int] = set()
         self._by_hand: set[int] = set()
-        self.wrong_ways = WrongWays(scenario, roster)
         self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
         self.received: dict[str, dict[str, Any]] = {}
         self.is_over = False
@@ -107,7 +104,6 @@ class ScriptedMatch:
         if index in self._parked:
             self._parked.discard(index)
             self.referee.bring_back(index, self._poses[index])
-            self._judged = self._poses
 
     def is_off(self, name: str) -> bool:
         """Return whether an entity is off the field."""
@@ -141,11 +137,8 @@ class ScriptedMatch:
         """Judge so many ticks and return the last output."""
         for _ in range(ticks):
             self.tick += 1
-            snapshot = self._snapshot()
-            if self.wrong_ways.passages:
-                self.wrong_ways.look(self.tick, self._judged, snapshot.substeps, self._parked)
             by_hand, self._by_hand = frozenset(self._by_hand), set()
-            self.output = self._take(self.referee.judge(snapshot, by_hand))
+            self.output = self._take(self.referee.judge(self._snapshot(), by_hand))
             self._store_broadcast()
         return self.output
 
@@ -231,7 +224,6 @@ class ScriptedMatch:
                 uprights = list(self._uprights)
                 uprights[index] = 1.0
                 self._uprights = uprights
-        self._judged = self._poses  # what a hand puts elsewhere now moves within the next tick
         return output
 
     def _store_broadcast(self) -> None:

@@ -32,7 +32,7 @@ from rcj_challenges.scenario.positions import start_noise_m
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.bound_rules import Denied
 from rcj_challenges.tracking.state import Number
-from rcj_challenges.tracking.trackers import NEVER
+from rcj_challenges.tracking.trackers import NEVER, Missed
 
 MOST_PASSES = 16
 """Settling passes after the last tick: more than any chain of rules needs that is not a loop."""
@@ -136,15 +136,10 @@ class Referee:
         return self._state.undecided_spots()
 
     @property
-    def already_true(self) -> dict[str, int]:
-        """By rule the tick at which a `holds` of it held already, so that it could not come true."""
-        found: dict[str, int] = {}
-        for tracker in self._trackers.trackers:
-            if tracker.already_true is not None:
-                for binding in tracker.bindings:
-                    name = binding.rule.name
-                    found[name] = min(tracker.already_true, found.get(name, tracker.already_true))
-        return found
+    def missed(self) -> list[tuple[str, Missed]]:
+        """What set off no rule although one seems to wait for it, each with its entity, if it is about one."""
+        names, trackers = self._state.roster.entities, self._trackers.trackers
+        return [(names[one.entities[0]] if one.entities else "", one.missed) for one in trackers if one.missed]
 
     @property
     def spots(self) -> dict[str, tuple[float, float]]:

@@ -10,7 +10,7 @@ from rcj_challenges.geometry.regions import EVERYWHERE, Cell, Region, common_cel
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.state import RefereeState
-from rcj_challenges.tracking.trackers import PositionTracker
+from rcj_challenges.tracking.trackers import Missed, PositionTracker
 
 _NOT_BEGUN = -1
 
@@ -103,7 +103,10 @@ class SequenceTracker(PositionTracker):
             inside = self._zones_at(x, y)
             self._state.seen = None
             made = [name for name in self._zones if name in inside and name not in self._inside]
-            made += [name for name, gate in self._gates.items() if gate.crossed(self.entity, was, now) > 0]
+            crossed = {name: gate.crossed(self.entity, was, now) for name, gate in self._gates.items()}
+            made += [name for name, way in crossed.items() if way > 0]
+            for gate in (name for name, way in crossed.items() if way < 0):
+                self.missed = self.missed or Missed(self._state.tick, "crossed", f"{gate} backward")
             self._inside = inside
             was = now
             if made:

@@ -9,6 +9,7 @@ when it becomes active, or its entity is put elsewhere, it is reset: before := n
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import Literal, NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import EVERYWHERE, Cell, common_cell
@@ -18,18 +19,34 @@ from rcj_challenges.tracking.state import RefereeState
 NEVER = 1 << 62
 
 
+class Missed(NamedTuple):
+    """What a tracker saw for the first time that sets off no rule, although one seems to wait for it; for tests.
+
+    Attributes:
+        kind: true: it held already; placed: it was put into a zone; crossed: it crossed a gate the way that does not
+            count.
+        what: the zone as it is written, or the gate and the direction.
+        bindings: those of the rules; none if it is no step of a sequence.
+    """
+
+    tick: int
+    kind: Literal["true", "placed", "crossed"]
+    what: str = ""
+    bindings: Sequence[TriggerBinding] = ()
+
+
 class Tracker:
     """Something followed for rules that are active in the same phases.
 
     Attributes:
         phases: in which it is active; None: in all.
         since: the tick at which it was last reset.
-        already_true: the tick at which it could not come true because it was true already; None: it always could.
+        missed: what set off no rule; None: nothing.
     """
 
     phases: frozenset[str] | None = None
     since = 0
-    already_true: int | None = None
+    missed: Missed | None = None
 
     def __init__(self, state: RefereeState, hits: HitBuffer, *entities: int) -> None:
         self.bindings: list[TriggerBinding] = []

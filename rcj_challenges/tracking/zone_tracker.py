@@ -6,17 +6,20 @@ from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell, Region
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.state import RefereeState
-from rcj_challenges.tracking.trackers import PositionTracker
+from rcj_challenges.tracking.trackers import Missed, PositionTracker
 
 
 class ZoneTracker(PositionTracker):
     """Follows an entity into and out of a region."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, region: Region) -> None:
+    def __init__(
+        self, state: RefereeState, hits: HitBuffer, entity: int, region: Region, zones: tuple[str, ...]
+    ) -> None:
         super().__init__(state, hits, entity)
         self.entering: list[TriggerBinding] = []
         self.leaving: list[TriggerBinding] = []
         self._region = region
+        self._zones = zones
         self.entities = (entity, *region.anchors)
         self._inside = False
 
@@ -24,6 +27,14 @@ class ZoneTracker(PositionTracker):
         """Take the present side for the one it was on before."""
         x, y, _ = self._state.poses[self.entity]
         self._inside = self._region.contains(x, y)
+
+    def moved(self) -> None:
+        """Reset; what is put inside has not entered."""
+        self.reset()
+        # If the region moves with something, that may have been put elsewhere.
+        if self._inside and self.entering and self._state.present[self.entity] and len(self.entities) == 1:
+            zone = self._zones[0] if len(self._zones) == 1 else f"[{', '.join(self._zones)}]"
+            self.missed = self.missed or Missed(self._state.tick, "placed", zone, self.entering)
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return the region's cell."""

@@ -11,7 +11,7 @@ from rcj_challenges.rules.refs import ENTITIES, GATES
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.state import RefereeState
-from rcj_challenges.tracking.trackers import PositionTracker
+from rcj_challenges.tracking.trackers import Missed, PositionTracker
 
 
 class Crosses(Trigger):
@@ -54,8 +54,7 @@ expect:
                     line = to.gate(gate)
                     if line.anchor == entity:
                         continue  # nothing crosses a gate that it carries
-                    drawn = None if draw is None else (draw, gate)
-                    tracker = to.track(GateTracker, (entity, gate, draw), entity, line, drawn)
+                    tracker = to.track(GateTracker, (entity, gate, draw), entity, line, gate, draw)
                     for direction in _DIRECTIONS[self.direction]:
                         tracker.by_direction[direction].append(to.binding(entity))
 
@@ -74,16 +73,17 @@ class GateTracker(PositionTracker):
         by_direction: the rules that it reports to, by direction: 1 forward and -1 backward.
 
     Args:
-        drawn: the draw and the gate that it must have decided on; None: the gate always counts.
+        name: of the gate.
+        draw: what must have decided on it; None: it always counts.
     """
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, gate: GateLine, drawn: tuple[str, str] | None
+        self, state: RefereeState, hits: HitBuffer, entity: int, gate: GateLine, name: str, draw: str | None
     ) -> None:
         super().__init__(state, hits, entity)
         self.by_direction: dict[int, list[TriggerBinding]] = {1: [], -1: []}
         self._gate = gate
-        self._drawn = drawn
+        self._name, self._draw = name, draw
 
     def reset(self) -> None:
         """Do nothing: a way begins where the entity is."""
@@ -94,7 +94,7 @@ class GateTracker(PositionTracker):
 
     def advance(self, before: list[Pose2], substeps: list[list[Pose2]]) -> None:
         """Report each direction once a tick; of a gate that a draw decides on while it is the one."""
-        if self._drawn is not None and self._state.draws[self._drawn[0]] != self._drawn[1]:
+        if self._draw is not None and self._state.draws[self._draw] != self._name:
             return
         was, crossed = before, set()
         for now in substeps:
@@ -103,3 +103,6 @@ class GateTracker(PositionTracker):
         for way in (1, -1):
             if way in crossed:
                 self._hits.report(self.by_direction[way])
+                if not self.by_direction[way] and self.missed is None:
+                    what = f"{self._name} {'forward' if way > 0 else 'backward'}"
+                    self.missed = Missed(self._state.tick, "crossed", what, self.by_direction[-way])

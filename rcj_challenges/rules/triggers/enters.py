@@ -50,6 +50,6 @@ expect:
 def zone_tracker(to: Binder, entity: int, zone: Names) -> ZoneTracker:
     """Return the tracker of an entity into and out of a zone, or of several zones taken as one."""
     zones, region = to.members(zone), to.region(zone)
-    tracker = to.track(ZoneTracker, (entity, zones), entity, region)
+    tracker = to.track(ZoneTracker, (entity, zones), entity, region, zones)
     to.reset_with_draws(tracker, zones)
     return tracker

@@ -13,7 +13,7 @@ from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.rules.values import Lasts, Waits, compile_limit, duration_words, every_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
-from rcj_challenges.tracking.trackers import NEVER, TickTracker
+from rcj_challenges.tracking.trackers import NEVER, Missed, TickTracker
 
 
 class Holds(Trigger):
@@ -123,9 +123,9 @@ class HoldTracker(TickTracker):
         if self._for == 0:
             self._next = self._next_after(tick, tick)
             if self._began is not None and self._every_s is None:
-                self.already_true = tick
-            elif self.already_true == tick:  # what begins with the half is put in its place in the same tick
-                self.already_true = None
+                self.missed = Missed(tick, "true", bindings=self.bindings)
+            elif self.missed is not None and self.missed.tick == tick:  # it is put in its place as the half begins
+                self.missed = None
 
     def _begin(self, tick: int) -> None:
         for_s, grace_s, every_s = self._limits
