@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.diagnostics import InFile
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text
@@ -212,6 +213,26 @@ class TestEverySection:
         placed = [(one.entity, getattr(one.at, "spot", one.at)) for one in rings.placements["out"]]
         assert placed == [("extra_west", "home_east"), ("extra_east", "home_west"), ("ball", "start")]
         assert list(rings.broadcast.fields) == ["seen_west", "seen_east"]
+
+    def test_a_repeated_counter_of_each_robot_has_two_dimensions(self):
+        hits = """
+tables: {rings: {outer: {radius: 0.3, zone: ring_outer, hits: hits_outer}, inner: {radius: 0.1, zone: ring_inner, hits: hits_inner}}}
+zones: {ring: {repeat_for: rings, shape: circle, centre_m: [0, 0], radius_m: {param: radius}}}
+counters: {hits: {repeat_for: rings, per: robots}}
+rules:
+  hit:
+    repeat_for: rings
+    for_each: robots
+    triggers: [{trigger: enters, entity: each, zone: {param: zone}}]
+    actions: [{action: count, counter: {param: hits}}]
+expect:
+  counted:
+    keyframes: [{at_s: 1, place: {B1: [0.2, 0]}}, {at_s: 2, place: {B1: [0, 0]}}, {at_s: 3, place: {B1: [0.2, 0]}},
+                {at_s: 4, place: {B1: [0, 0]}}]
+    lasts_s: 5
+    counters: {hits_outer: {B1: 1, B2: 0}, hits_inner: {B1: 2, B2: 0}}
+"""
+        assert run_test(load_text(HEAD + hits), "counted").differences == ()
 
     def test_the_groups_of_copies_need_no_use(self):
         assert not [one for one in lint(load_text(HEAD + RINGS)) if one.where.path.startswith("groups")]

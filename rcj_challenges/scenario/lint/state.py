@@ -60,7 +60,7 @@ class NeverWritten(LintRule, code="never-written"):
 
 
 class NeverUsed(LintRule, code="never-used"):
-    """A param, zone, gate, spot, group, sequence or layout of the author's own file that nothing names."""
+    """A param, table, zone, gate, spot, group, sequence or layout of the author's own file that nothing names."""
 
     message = "{noun} '{name}' is never used"
     help = "name it in a rule, or remove it"
@@ -68,6 +68,7 @@ class NeverUsed(LintRule, code="never-used"):
 
     _NOUNS: ClassVar = {
         "params": "param",
+        "tables": "table",
         "gates": "gate",
         "zones": "zone",
         "spots": "spot",
@@ -86,6 +87,7 @@ class NeverUsed(LintRule, code="never-used"):
                 if not is_used and ctx.is_own((section, name)):
                     null = section != "params" and (section, name) in ctx.loaded.overridden
                     away = "name it in a rule, or remove what the base defines by '{name}: null'" if null else ""
+                    away = f"write repeat_for: {name} in an entry, or remove it" if section == "tables" else away
                     yield self.at((section, name), help=away, noun=noun, name=name)
 
     def _used(self, ctx: LintContext) -> dict[str, set[str]]:
@@ -95,6 +97,7 @@ class NeverUsed(LintRule, code="never-used"):
         used["groups"] = {use.name for use in ctx.uses if use.is_on_field}.union(*scenario.groups.values())
         used["params"] = {one.param for one in nodes_in(ctx.tree) if isinstance(one, Leaf)}
         said = {name for rule in scenario.rules.values() for name in named_in(rule)}
+        used["tables"] = {*_repeated_for(ctx.loaded.unresolved)}
         used["params"] |= {*placeholders_in(scenario.description), *said} - {*PLACEHOLDERS}
         for section in ("sequences", "placements"):
             # To reset a sequence is no use of it if nothing depends on its steps.
@@ -135,6 +138,15 @@ class InheritedTestLeftOut(LintRule, code="inherited-test-left-out"):
             place = place_of(first)
             reason = f"{place.file}:{place.line}: {first.message}"
             yield self.at((), count=len(ctx.loaded.left_out), names=", ".join(ctx.loaded.left_out), reason=reason)
+
+
+def _repeated_for(data: object) -> Iterator[str]:
+    """Yield the tables for whose rows something is repeated."""
+    parts = data.values() if isinstance(data, dict) else data if isinstance(data, list) else ()
+    for part in parts:
+        yield from _repeated_for(part)
+    tables = data.get("repeat_for", ()) if isinstance(data, dict) else ()
+    yield from (tables,) if isinstance(tables, str) else tables
 
 
 def _runs_by_itself(entry: object) -> bool:
