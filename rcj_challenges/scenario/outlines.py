@@ -7,7 +7,7 @@ match, and placements, are judged with it, so clarity comes before speed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import cos, inf, sin, sqrt
 
@@ -15,7 +15,7 @@ from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
-from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
+from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Obstacle, Wall
 
 Points = tuple[Point, ...]
 
@@ -168,3 +168,58 @@ def _apart_along_normals(polygon: Points, other: Points) -> float:
 def _nearest(corners: Points, polygon: Points) -> float:
     edges = tuple(zip(polygon, (*polygon[1:], polygon[0]), strict=True))
     return min(distance_to_segment_m(x, y, *a, *b) for x, y in corners for a, b in edges)
+
+
+# --- the floor --------------------------------------------------------------------------------------------------------
+
+# Walls are solid far beyond their real thickness here, as nothing can stand in or behind them. What is placed outside
+# the box around field and goals is refused before any wall is looked at, however far out it is.
+_SOLID_M = 10.0
+
+
+def _solid_walls(field: FieldModel) -> tuple[Part, ...]:
+    """Return everything solid around the floor: side and end walls, corner walls, goals."""
+    x, y, far = field.bounds.width_m / 2, field.bounds.length_m / 2, _SOLID_M
+    parts = [_box(x, x + far, -y - far, y + far), _box(-x - far, -x, -y - far, y + far)]
+    for end, sign in (("positive_y", 1.0), ("negative_y", -1.0)):
+        goals = [goal for goal in field.goals.values() if goal.end == end]
+        half = max((goal.width_m / 2 for goal in goals), default=0.0)
+        depth = max((goal.depth_m for goal in goals), default=0.0)
+        low, high = sorted((sign * y, sign * (y + far)))
+        parts += [_box(half, x + far, low, high), _box(-x - far, -half, low, high)]
+        back_low, back_high = sorted((sign * (y + depth), sign * (y + far)))
+        parts.append(_box(-half, half, back_low, back_high) if goals else _box(-x, x, low, high))
+    cut = field.cut_m
+    if cut > 0:
+        parts += [
+            Part(counter_clockwise(((sx * (x - cut), sy * y), (sx * x, sy * (y - cut)), (sx * x, sy * y))))
+            for sx in (1, -1)
+            for sy in (1, -1)
+        ]
+    return tuple(parts)
+
+
+def _box(x_min: float, x_max: float, y_min: float, y_max: float) -> Part:
+    return Part(((x_max, y_max), (x_min, y_max), (x_min, y_min), (x_max, y_min)))
+
+
+class Floor:
+    """Where a body may stand: the field between its walls, and the goals."""
+
+    def __init__(self, field: FieldModel) -> None:
+        # With where they reach from and to, so that few have to be looked at closely.
+        self._walls = [(*extent([wall]), wall) for wall in _solid_walls(field)]
+        deepest_m = max((goal.depth_m for goal in field.bounds.goals.values()), default=0.0)
+        self._half_box_m = (field.bounds.width_m / 2, field.bounds.length_m / 2 + deepest_m)
+
+    def holds(self, parts: Sequence[Part]) -> bool:
+        """Return whether a body stands on the floor without being in a wall."""
+        x_0, x_1, y_0, y_1 = extent(parts)
+        if abs(x_0 + x_1) / 2 > self._half_box_m[0] or abs(y_0 + y_1) / 2 > self._half_box_m[1]:
+            return False
+        near = (
+            wall
+            for west, east, south, north, wall in self._walls
+            if west < x_1 and x_0 < east and south < y_1 and y_0 < north
+        )
+        return not any(closer_than(part, wall, -TOUCHING_M) for wall in near for part in parts)

@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from math import cos, dist, pi, sin
+from math import dist
 
 from rcj_challenges.core.diagnostics import Diagnostic, issue
-from rcj_challenges.geometry.polygons import Point, is_simple, side
+from rcj_challenges.geometry.polygons import is_simple
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
-from rcj_challenges.scenario.positions import floor_parts, start_pose
+from rcj_challenges.scenario.outlines import (
+    TOUCHING_M,
+    Floor,
+    Part,
+    disc,
+    extent,
+    obstacle_outline,
+    overlap,
+    robot_outline,
+)
+from rcj_challenges.scenario.positions import start_pose
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import fixed_spots
 from rcj_challenges.scenario.tree import Path
@@ -113,44 +122,6 @@ def _goals(field: FieldModel) -> Iterator[Diagnostic]:
         if goal.end in taken:
             yield issue(codes.DOES_NOT_FIT, (*path, "end"), f"'{taken[goal.end]}' stands at this end already")
         taken.setdefault(goal.end, name)
-
-
-_ALONG = 16
-_AROUND = 64
-
-
-class Floor:
-    """Where a body may stand: the field between its walls, and the goals."""
-
-    def __init__(self, field: FieldModel) -> None:
-        self._parts = [
-            [(a, b, dist(a, b)) for a, b in zip(part, (*part[1:], part[0]), strict=True)] for part in floor_parts(field)
-        ]
-
-    def holds(self, parts: Sequence[Part]) -> bool:
-        """Return whether a body stands on the floor without being in a wall."""
-        # What lies in one convex part is on the floor; in the mouth of a goal, points around it are looked at.
-        return all(
-            self._has(part.points, part.radius_m) or all(self._has((point,), 0.0) for point in _around(part))
-            for part in parts
-        )
-
-    def _has(self, points: tuple[Point, ...], margin_m: float) -> bool:
-        return any(
-            all(side(a, b, point) >= (margin_m - TOUCHING_M) * length for a, b, length in edges for point in points)
-            for edges in self._parts
-        )
-
-
-def _around(part: Part) -> Iterator[Point]:
-    if part.radius_m:
-        ((x, y),) = part.points
-        for turn in (2 * pi * step / _AROUND for step in range(_AROUND)):
-            yield x + part.radius_m * cos(turn), y + part.radius_m * sin(turn)
-    else:
-        for (ax, ay), (bx, by) in zip(part.points, (*part.points[1:], part.points[0]), strict=True):
-            for share in (step / _ALONG for step in range(_ALONG)):
-                yield ax + share * (bx - ax), ay + share * (by - ay)
 
 
 # --- bodies -----------------------------------------------------------------------------------------------------------

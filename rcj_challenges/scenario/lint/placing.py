@@ -10,12 +10,12 @@ from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.effects import HalfStart, Places, Removes, SetsPhase
 from rcj_challenges.rules.placement import places
-from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
+from rcj_challenges.scenario.checks.ground import obstacle_bodies
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
+from rcj_challenges.scenario.outlines import Floor, Part, disc, overlap, robot_outline
 from rcj_challenges.scenario.positions import floor_parts, on_floor
 from rcj_challenges.scenario.rule_effects import fixed_spots
 from rcj_challenges.scenario.tree import Path
