@@ -34,6 +34,7 @@ from rcj_challenges.rules.fields import NAME_RULE, Colour, DurationS, EventName,
 from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import PLACES, At
+from rcj_challenges.rules.ranked import AnyRanked, Ranked
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
 from rcj_challenges.rules.triggers.tips_over import TipsOver
 from rcj_challenges.rules.values import VALUES, Amount, Lasts, Limit, Value, Waits
@@ -274,9 +275,7 @@ CHAPTERS = (
         (
             Word("broadcast", scenario.Broadcast),
             Word("result", scenario.Result),
-            Word("rank_by_score", scenario.RankByScore, own_example=False),
-            Word("rank_by_time", scenario.RankByTime, own_example=False),
-            Word("rank_by_counter", scenario.RankByCounter, own_example=False),
+            Word("better", Ranked, own_example=False),
             Word("limits", scenario.Limits),
         ),
         "rules",
@@ -348,7 +347,7 @@ def page() -> str:
     return "\n".join(lines) + "\n"
 
 
-_PARTS = (NumberValue, Compared)
+_PARTS = (NumberValue, Compared, Ranked)
 """Whose fields many words have: they are described once."""
 
 
@@ -380,7 +379,8 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
     (AnyTrigger, "[trigger](#triggers)"), (AnyCondition, "[condition](#conditions)"),
     (Alternative, "[condition](#conditions), or list of conditions"),
-    (AnyAction, "[action](#actions)"), (AnyDevice, "[device](#devices)"),
+    (AnyAction, "[action](#actions)"),
+    (AnyRanked, "[value](#values) with [better](#better)"), (AnyDevice, "[device](#devices)"),
     (AnyChassis, "[chassis](#chassis)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),
@@ -438,7 +438,7 @@ def _default(info: FieldInfo) -> str:
     if isinstance(default, BaseModel):
         return "its defaults"
     if isinstance(default, tuple) and default and isinstance(default[0], BaseModel):
-        return "by score, descending"
+        return "`[{score: each, better: more}]`"
     text = str(default).lower() if isinstance(default, bool) else str(default).replace("'", "")
     return f"`{text.replace('(', '[').replace(')', ']').replace(',]', ']')}`"
 

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from rcj_challenges.match.batch import Job, Outcome
+    from rcj_challenges.rules.ranked import Ranked
     from rcj_challenges.scenario.load import Loaded
-    from rcj_challenges.views.scoreboard import Criterion
 
 _OF_RECORDS = ("folder", "inputs", "states", "digest")
 _MAX_SEEDS = 100_000
@@ -185,7 +185,7 @@ def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
     }
 
 
-def rank_summary(rank: Sequence[Criterion], outcomes: Sequence[Outcome]) -> dict[str, Any]:
+def rank_summary(rank: Sequence[Ranked], outcomes: Sequence[Outcome]) -> dict[str, Any]:
     """Ranking by seed, how often each entrant had which place, and the spread of what was compared.
 
     Where the shortest time is best, a match that no rule ended was not finished: its time is only the time played. In
@@ -213,18 +213,12 @@ def rank_summary(rank: Sequence[Criterion], outcomes: Sequence[Outcome]) -> dict
         },
         "spread": {
             entrant: [
-                _time_spread(values, is_finished[entrant]) if _is_race(criterion) else _spread(values)
+                _time_spread(values, is_finished[entrant]) if criterion.is_time else _spread(values)
                 for criterion, values in zip(rank, zip(*(entry["values"] for entry in own), strict=True), strict=True)
             ]
             for entrant, own in by_entrant.items()
         },
     }
-
-
-def _is_race(criterion: Criterion) -> bool:
-    from rcj_challenges.scenario.models.scenario import RankByTime
-
-    return isinstance(criterion, RankByTime) and criterion.time == "ascending"
 
 
 def _time_spread(times_s: Sequence[float], is_finished: Sequence[bool]) -> dict[str, float | None]:
@@ -268,7 +262,7 @@ class Progress:
         print_progress(self._console, line)
 
 
-def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], *, as_json: bool) -> None:
+def _report(outcomes: Sequence[Outcome], rank: Sequence[Ranked], *, as_json: bool) -> None:
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.scoreboard import decided_by_score_alone
 
@@ -298,15 +292,14 @@ def _score_table(report: dict[str, Any]) -> Table:
     return table
 
 
-def _rank_table(ranking: dict[str, Any], rank: Sequence[Criterion]) -> Table:
+def _rank_table(ranking: dict[str, Any], rank: Sequence[Ranked]) -> Table:
     """A row for each entrant, a column for each place and for each criterion beside the score."""
     from rich.table import Column, Table
 
-    from rcj_challenges.scenario.models.scenario import RankByScore
     from rcj_challenges.views.scoreboard import criterion_words
 
     places = sorted({place for own in ranking["places"].values() for place in own}, key=int)
-    beside = [(index, criterion) for index, criterion in enumerate(rank) if not isinstance(criterion, RankByScore)]
+    beside = [(index, criterion) for index, criterion in enumerate(rank) if not criterion.is_score]
     heads = [
         "entrant",
         *(f"place {place}" for place in places),
@@ -317,14 +310,12 @@ def _rank_table(ranking: dict[str, Any], rank: Sequence[Criterion]) -> Table:
         table.add_row(
             entrant,
             *(times(own.get(place, 0)) for place in places),
-            *(_spread_words(criterion, ranking["spread"][entrant][index]) for index, criterion in beside),
+            *(_spread_words(ranking["spread"][entrant][index]) for index, _ in beside),
         )
     return table
 
 
-def _spread_words(criterion: Criterion, spread: dict[str, float | None]) -> str:
-    from rcj_challenges.views.scoreboard import value_words
-
+def _spread_words(spread: dict[str, float | None]) -> str:
     values = (spread[name] for name in ("least", "median", "most"))
-    least, median, most = ("unfinished" if value is None else value_words(criterion, value) for value in values)
+    least, median, most = ("unfinished" if value is None else number_words(value) for value in values)
     return least if least == most else f"{least} to {most}, median {median}"

@@ -105,9 +105,9 @@ def measure_words(name: str) -> str:
 
 
 def measured_words(name: str, value: str) -> str:
-    """Return a name with a value and its unit: ``best 10.48 s``, ``laps 3``."""
+    """Return a name with a value and its unit: ``best 10.48 s``, ``laps 3``, ``best none``."""
     words, unit = measure(name)
-    return " ".join(part for part in (words, value, unit) if part)
+    return " ".join(part for part in (words, value, unit if value != "none" else "") if part)
 
 
 def distinct_decimals(measured: float | None, limit: float | None, decimals: int) -> int:
@@ -118,8 +118,10 @@ def distinct_decimals(measured: float | None, limit: float | None, decimals: int
     return decimals
 
 
-def number_words(value: float, decimals: int = 6) -> str:
+def number_words(value: float | None, decimals: int = 6) -> str:
     """Format a number without superfluous zeros and without rounding away digits that decide: ``10.48``."""
+    if value is None:
+        return "none"
     number = f"{value:.{decimals}f}"
     number = number.rstrip("0").rstrip(".") if "." in number else number
     return "0" if number == "-0" else number

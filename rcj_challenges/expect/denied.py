@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping
-from math import inf
 from typing import NamedTuple, assert_never
-
-import yaml
 
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Condition, Trigger
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.reading.yaml_strict import on_one_line
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS
 from rcj_challenges.tracking.bound_rules import Denied
 from rcj_challenges.tracking.trackers import Missed
@@ -118,7 +116,7 @@ def _as_written(condition: Condition) -> str:
     """Return a condition as an author writes it."""
     data = condition.model_dump(mode="json", by_alias=True, exclude_unset=True)
     data = {condition.name(): data.pop(condition.name()), **data}
-    return str(yaml.safe_dump(data, default_flow_style=True, sort_keys=False, width=inf)).strip()
+    return on_one_line(data)
 
 
 def _changes(effect: effects.Effect, wanted: Wanted) -> bool:  # noqa: PLR0911 - one for each kind

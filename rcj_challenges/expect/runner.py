@@ -17,7 +17,7 @@ from rcj_challenges.expect.denied import Wanted, denied_condition_notes, missed_
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.ranking import Tally, ranking
+from rcj_challenges.referee.ranking import ranking
 from rcj_challenges.rules.effects import Emits, Ends
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import places_of, series_of
@@ -79,7 +79,7 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
         scores = by_seat(carry_over.scores, half.teams)
         half = replace(half, team_names=titles, scores=scores, kept=carry_over.kept)
         match, result = _play(loaded, part, half, is_last=number == len(expected.halves))
-        carry_over.add(half, match.referee, match.tick)
+        carry_over.add(half, match.referee)
         differences += (f"{period} {number}: {line}" for line in result.differences)
         ticks, fired = ticks + result.ticks, fired | dict.fromkeys(result.fired)
     assert match is not None  # noqa: S101 - there is at least one half
@@ -282,8 +282,8 @@ def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation
     if expected.ended is not None:
         yield from difference("ended", expected.ended, _ended(match))
     if expected.ranking is not None:
-        tally = Tally(referee.counters, {seat: seat for seat in scenario.entrants}, s_from_ticks(match.tick))
-        yield from _ranking_differences(ranking(scenario, referee.scores, [tally]), expected.ranking)
+        by_now = referee.ranked(half_of(scenario))  # what the test has given counts, too
+        yield from _ranking_differences(ranking(scenario.result.rank, [*by_now], [by_now]), expected.ranking)
     for name, is_held in (expected.held or {}).items():
         yield from difference(f"{name} held", is_held, referee.held.get(name))
     yield from _pose_differences(match, expected)
@@ -356,7 +356,7 @@ def _ranking_differences(
     ranked: Iterable[dict[str, Any]], expected: tuple[str | tuple[str, ...], ...]
 ) -> Iterable[str]:
     """Return the ranking, if it is not the expected one, with what was compared."""
-    places: dict[int, dict[str, list[Number]]] = {}
+    places: dict[int, dict[str, list[Number | None]]] = {}
     for entry in ranked:
         places.setdefault(entry["place"], {})[entry["team"]] = entry["values"]
     found = [set(sharing) for sharing in places.values()]

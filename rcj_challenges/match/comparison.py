@@ -8,10 +8,9 @@ from typing import Any
 from scipy.stats import binom, binomtest
 
 from rcj_challenges.core.amounts import Score, add_up, round_score
-from rcj_challenges.referee.ranking import sign
-from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime
+from rcj_challenges.rules.ranked import Ranked
 
-Rank = Sequence[RankByScore | RankByTime | RankByCounter]
+Rank = Sequence[Ranked]
 Result = Mapping[str, Any]  # as in result.json
 
 _SIGNIFICANT, _POWER = 0.05, 0.7
@@ -20,15 +19,16 @@ _SEED_STEP, _MAX_SEEDS = 5, 1000
 
 def gains(new: Result, old: Result, team: str, rank: Rank) -> tuple[Score, ...]:
     """Return the gain of a result by criterion; of scores, the lead over the best opponent is compared."""
-    compared = zip(rank, _values(new, team, rank), _values(old, team, rank), strict=True)
-    return tuple(round_score(sign(criterion) * (before - now)) for criterion, now, before in compared)
+    compared = zip(_values(new, team, rank), _values(old, team, rank), strict=True)
+    return tuple(round_score(before - now) for now, before in compared)
 
 
 def _values(result: Result, team: str, rank: Rank) -> list[Score]:
+    """Return numbers that are the greater the worse."""
     own, *others = (entry["values"] for entry in sorted(result["ranking"], key=lambda entry: entry["team"] != team))
     best = others[0] if others else [0] * len(rank)
-    is_lead = [isinstance(criterion, RankByScore) for criterion in rank]
-    return [value - of_best if lead else value for lead, value, of_best in zip(is_lead, own, best, strict=True)]
+    compared = zip(rank, own, best, strict=True)
+    return [one.number(value) - (one.number(of_best) if one.is_score else 0) for one, value, of_best in compared]
 
 
 def tally(results: Sequence[Result], team: str) -> dict[str, Score]:

@@ -102,7 +102,7 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
         halves.append(half)
         # As JSON they can be compared with those of a record.
         events += [json.loads(json_line(event_line(info.half, event))) for event in judged]
-        carry_over.add(info, referee, half.ticks)
+        carry_over.add(info, referee)
     all_there = over or len(halves) == scenario.match.halves
     complete = all_there and all(half.complete for half in halves)
     return Judgement(carry_over.scores, carry_over.ranking(), events, tuple(halves), complete)

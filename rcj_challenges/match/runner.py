@@ -207,7 +207,7 @@ class _MatchRunner:
         for driver in drivers.values():
             self._notes.setdefault(driver.name, []).extend(driver.notes)
         self._observer.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
-        self._carry_over.add(half, referee, outcome.ticks)
+        self._carry_over.add(half, referee)
         return outcome
 
     def _before_tick(self, tick: int) -> None:

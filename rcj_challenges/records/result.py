@@ -71,7 +71,7 @@ class RankResult(_Part):
 
     place: int = _described("1 for the best; teams that are equal by all criteria share a place", ge=1)
     team: str = _described("the team")
-    values: list[Score] = _described("what was compared, in the order of the scenario's result.rank")
+    values: list[Score | None] = _described("what was compared, in the order of the scenario's result.rank; null: none")
 
 
 class EventResult(_Part):

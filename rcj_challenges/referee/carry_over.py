@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.play import HalfInfo
-from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.referee.ranking import Tally, ranking
+from rcj_challenges.referee.ranking import HalfValues, ranking
 from rcj_challenges.scenario.halves import by_team
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -22,15 +21,14 @@ class CarryOver:
         self.scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
         self.kept: dict[str, Any] = {}
         self._scenario = scenario
-        self._tallies: list[Tally] = []
+        self._halves: list[HalfValues] = []
 
-    def add(self, half: HalfInfo, referee: Referee, ticks: int) -> None:
-        """Add a half that is over; so many ticks of it were judged."""
+    def add(self, half: HalfInfo, referee: Referee) -> None:
+        """Add a half that is over; ``half`` has what it began with, without what a test has given."""
         self.scores = by_team(referee.scores, half.teams)
         self.kept = dict(referee.kept)
-        began = half.kept.get("counters", {})
-        self._tallies.append(Tally(dict(referee.counters), half.teams, s_from_ticks(ticks), began))
+        self._halves.append(referee.ranked(half))
 
     def ranking(self) -> list[dict[str, Any]]:
         """Return the ranking after the halves so far, as in ``result.json``."""
-        return ranking(self._scenario, self.scores, self._tallies)
+        return ranking(self._scenario.result.rank, list(self.scores), self._halves)

@@ -114,7 +114,11 @@ class NameScope:
         self, section: str, name: str, names: Names
     ) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         per = getattr(self.scenario, section)[name].per
-        return self.group(names) if per != ENTRANTS else self.group_of_entrants(names)
+        if per == ENTRANTS or self.for_each != ENTRANTS:
+            return self.group(names) if per != ENTRANTS else self.group_of_entrants(names)
+        (members, members_now), owners = self.group(names), self.roster.keepers(per)
+        has_one = owners.__contains__
+        return tuple(filter(has_one, members)), lambda: tuple(filter(has_one, members_now()))
 
     def group_of_entrants(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         entrants = self.entrants(names)

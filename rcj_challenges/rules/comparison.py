@@ -2,15 +2,14 @@
 
 from collections.abc import Callable
 from operator import eq, ge, gt, le, lt
-from typing import Any, ClassVar, NamedTuple, cast
-
-from pydantic import create_model
+from typing import Any, ClassVar, NamedTuple
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, Test, ValueWord
 from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.rules.valued import Valued, with_keys_of
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.number import NumberValue
 
@@ -36,13 +35,11 @@ _BOUNDS = {
 }
 
 
-class Compared(Condition):
+class Compared(Valued, Condition):
     """A value that is a number, compared with one bound at least; of a fact without a bound, whether it is so.
 
     Attributes:
         IS_PART: that the schema defines these fields once for all such conditions.
-        VALUE: the value, whose fields the condition has too.
-        DEFINED_AS: where the schema defines all its other fields.
     """
 
     EXCLUDES: ClassVar[tuple[tuple[str, tuple[str, ...]], ...]] = (
@@ -52,8 +49,6 @@ class Compared(Condition):
     )
     REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = tuple((key,) for key in _BOUNDS)
     IS_PART: ClassVar = True
-    VALUE: ClassVar[type[NumberValue]]
-    DEFINED_AS: ClassVar[type[NumberValue]]
 
     at_least: Amount | None = described(None, "holds at this number and above")
     at_most: Amount | None = described(None, "holds at this number and below")
@@ -69,12 +64,6 @@ class Compared(Condition):
     def grouped(self) -> Names | None:
         """Return the names of which it must hold of so many; None: it names none."""
         return getattr(self, self.VALUE.OVER) if self.VALUE.OVER else None
-
-    @property
-    def value(self) -> NumberValue:
-        """The value without the comparison."""
-        keys = {name: info.alias or name for name, info in self.VALUE.model_fields.items()}
-        return self.VALUE.model_construct(**{key: getattr(self, name) for name, key in keys.items()})
 
     def limits(self) -> list[tuple[_Bound, Amount]]:
         """Return with what it compares, and how."""
@@ -207,10 +196,7 @@ def _comparison(
 
 def comparison_of(value: type[NumberValue]) -> type[Compared]:
     """Return the condition that compares a value, with the keys of both; its example is that of the value."""
-    name, bases = f"{value.__name__.removesuffix('Value')}Is", cast("Any", (Compared, value))
-    doc = f"The value `{value.KEY}`, compared."
-    model = cast("Any", create_model(name, __base__=bases, __module__=__name__, __doc__=doc))
-    model.VALUE = model.DEFINED_AS = value
-    model.EXAMPLE, model.SENTENCE = "", value.COMPARED
+    model = with_keys_of(value, Compared, "Is")
+    model.SENTENCE = value.COMPARED
     model.REQUIRES = value.REQUIRES if value.IS_FACT else Compared.REQUIRES
-    return cast("type[Compared]", model)
+    return model

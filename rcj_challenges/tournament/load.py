@@ -17,7 +17,7 @@ from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.messages.explain import explain
-from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes
 from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tournaments_folder
 from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of, plain
@@ -173,13 +173,5 @@ def _of_scenario(mark: Mark, path: str, problem: Diagnostic) -> Diagnostic:
 
 def _info(scenario: Scenario) -> ScenarioInfo:
     seats = {seat: len(entrant.robots) for seat, entrant in scenario.entrants.items()}
-    criteria = tuple(map(_criterion, scenario.result.rank))
+    criteria = tuple(Criterion(one.names[0], is_more_better=one.better == "more") for one in scenario.result.rank)
     return ScenarioInfo(scenario.id, scenario.title, seats, criteria, sum(half_lengths_s(scenario.match)))
-
-
-def _criterion(rank: RankByScore | RankByTime | RankByCounter) -> Criterion:
-    if isinstance(rank, RankByScore):
-        return Criterion("score", is_more_better=rank.score == "descending")
-    if isinstance(rank, RankByTime):
-        return Criterion("time", is_more_better=rank.time == "descending")
-    return Criterion(rank.counter, is_more_better=rank.order == "descending")

@@ -32,11 +32,17 @@ class ScenarioUse:
 class Criterion:
     """One of the criteria by which a scenario ranks.
 
-    Its name is ``score``, ``time``, or that of a counter.
+    Its name is ``score``, ``time_s``, or that of a counter.
     """
 
     name: str
     is_more_better: bool
+
+    def number(self, value: float | None) -> float:
+        """Return a value as a number; none is worse than all."""
+        if value is None:
+            return -inf if self.is_more_better else inf
+        return value
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +66,8 @@ class ScenarioInfo:
         if outcome.ruled in (Ruled.ANNULLED, Ruled.FORFEIT):
             return (inf,)
         values = outcome.values or outcome.scores
-        return tuple(-one if rank.is_more_better else one for one, rank in zip(values, self.criteria, strict=False))
+        numbers = ((rank.number(one), rank.is_more_better) for one, rank in zip(values, self.criteria, strict=False))
+        return tuple(-number if is_more_better else number for number, is_more_better in numbers)
 
 
 class ScenarioNames:

@@ -132,7 +132,7 @@ class Outcome:
     scores: tuple[float, ...]
     ruled: Ruled = Ruled.PLAYED
     reason: str = ""
-    values: tuple[float, ...] = ()
+    values: tuple[float | None, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +159,7 @@ class Row:
     conceded: float = 0
     points: float = 0
     by_lot: bool = False
-    values: tuple[float, ...] = ()
+    values: tuple[float | None, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,12 +18,11 @@ from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.observers import Observer, Progress
-from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
+from rcj_challenges.rules.ranked import Ranked
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.commentary import Commentator, Remark
 from rcj_challenges.views.naming import score_so_far, shown_names, team_names
 from rcj_challenges.views.sentences import clock, fault_line
-
-Criterion = RankByScore | RankByTime | RankByCounter
 
 _EVENTS_SHOWN = 6
 _BAR_COLUMNS = 30
@@ -45,40 +44,26 @@ def _seats(half: HalfInfo) -> str:
     return ", ".join(f"{seat}: {sanitize(name, 32)}" for seat, name in half.team_names.items())
 
 
-def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
+def decided_by_score_alone(rank: Sequence[Ranked]) -> bool:
     """Return whether the scores say all that decides."""
-    return all(isinstance(criterion, RankByScore) for criterion in rank)
+    return all(one.is_score for one in rank)
 
 
-def criterion_words(criterion: Criterion, value: str = "") -> str:
-    """Return ``score``, ``time (with touched posts)`` or ``best (s)``; with a value ``time 9.2 s (with …)``."""
-    if isinstance(criterion, RankByCounter):
-        return measured_words(criterion.counter, value) if value else measure_words(criterion.counter)
-    if isinstance(criterion, RankByScore):
-        name, added = "score", ""
-    else:
-        counters = ", ".join(measure_words(part.counter) for part in criterion.plus)
-        name, added = "time", f" (with {counters})" if counters else ""
-    return name + (f" {value}" if value else "") + added
+def criterion_words(ranked: Ranked, value: str = "") -> str:
+    """Return ``score`` or ``best (s)``; with a value ``time 9.2 s (with touched posts)``."""
+    first, *others = ranked.names
+    added = f" (with {', '.join(map(measure_words, others))})" if others else ""
+    return (measured_words(first, value) if value else measure_words(first)) + added
 
 
-def criterion_name(criterion: Criterion) -> str:
-    """Return the same for programs that read it: names as the scenario writes them, ``time (with touched_posts)``."""
-    if isinstance(criterion, RankByCounter):
-        return criterion.counter
-    if isinstance(criterion, RankByScore) or not criterion.plus:
-        return criterion_words(criterion)
-    return f"time (with {', '.join(part.counter for part in criterion.plus)})"
-
-
-def value_words(criterion: Criterion, value: float) -> str:
-    """Return a value that was compared, a time in s; nothing is rounded away that decides."""
-    number = number_words(value)
-    return f"{number} s" if isinstance(criterion, RankByTime) else number
+def criterion_name(ranked: Ranked) -> str:
+    """Return the same for programs that read it: names as the scenario writes them, ``time_s (with touched_posts)``."""
+    first, *others = ranked.names
+    return f"{first} (with {', '.join(others)})" if others else first
 
 
 def ranking_lines(
-    rank: Sequence[Criterion],
+    rank: Sequence[Ranked],
     names: Mapping[str, str],
     ranking: Sequence[Mapping[str, Any]],
     *,
@@ -90,7 +75,7 @@ def ranking_lines(
 
 
 def ranking_rows(
-    rank: Sequence[Criterion], names: Mapping[str, str], ranking: Sequence[Mapping[str, Any]]
+    rank: Sequence[Ranked], names: Mapping[str, str], ranking: Sequence[Mapping[str, Any]]
 ) -> list[tuple[int, str, str]]:
     """Return place, name and what was compared, ``score 4, time 9.248 s``, by the arguments of `ranking_lines`."""
     if decided_by_score_alone(rank):
@@ -100,8 +85,7 @@ def ranking_rows(
             entry["place"],
             names[entry["team"]],
             ", ".join(
-                criterion_words(criterion, value_words(criterion, value))
-                for criterion, value in zip(rank, entry["values"], strict=True)
+                criterion_words(one, number_words(value)) for one, value in zip(rank, entry["values"], strict=True)
             ),
         )
         for entry in ranking

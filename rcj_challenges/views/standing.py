@@ -3,68 +3,77 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.core.amounts import measure, measured_words, number_words
 from rcj_challenges.core.play import HalfInfo
-from rcj_challenges.referee.ranking import Tally, counted_for, ranked_counters
+from rcj_challenges.referee.ranking import HalfValues, RankedValues
+from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Scores
-from rcj_challenges.scenario.halves import by_team
-from rcj_challenges.scenario.models.scenario import RankByScore, Scenario
-from rcj_challenges.scenario.roster import ENTRANTS
+from rcj_challenges.rules.ranked import Ranked, counter_in, measures_in, ranked_like
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.tracking.contacts import Contacts
 
-Value = int | float
+Value = int | float | None
 
 
 def shows_score(scenario: Scenario) -> bool:
     """Return whether a scoreboard has points to show: rules give some, or the ranking compares them."""
-    ranked = any(isinstance(criterion, RankByScore) for criterion in scenario.result.rank)
-    return ranked or bool(scenario.effects(Scores))
+    return any(one.is_score for one in scenario.result.rank) or bool(scenario.effects(Scores))
 
 
 def counted_names(scenario: Scenario) -> list[dict[str, str]]:
-    """Return the counters that the ranking compares, as a scoreboard has them: ``{"name": "best", "unit": "s"}``."""
-    return [dict(zip(("name", "unit"), measure(name), strict=True)) for name in ranked_counters(scenario)]
+    """Return the counters that the ranking reads, as a scoreboard has them: ``{"name": "best", "unit": "s"}``."""
+    return [dict(zip(("name", "unit"), measure(name), strict=True)) for name in _counted(scenario)]
+
+
+def _counted(scenario: Scenario) -> dict[str, Ranked]:
+    """Return what is counted for the ranking, by the name of the counter: what stands beside it is left out."""
+    counted: dict[str, Ranked] = {}
+    for ranked in scenario.result.rank:
+        for one in measures_in(ranked.value):
+            if (name := counter_in(one)) is not None:
+                counted.setdefault(name, ranked_like(one, ranked))
+    return counted
 
 
 class RankingCounters:
     """Follows the counters that decide the ranking, for each team and over all halves."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self._scenario = scenario
-        self._names = ranked_counters(scenario)
-        self._over: list[Tally] = []
-        self._seats: Mapping[str, str] = {}
-        self._began: dict[str, Any] = {}
-        self._latest: Mapping[str, Any] | None = None
+        self._scenario, self._roster = scenario, Roster.of(scenario)
+        counted = _counted(scenario)
+        self._names, self._counted = tuple(counted), tuple(counted.values())
+        self._over: list[HalfValues] = []
+        self._half: HalfInfo | None = None
+        self._state: State | None = None
+        self._latest: HalfValues | None = None
 
     def begin(self, half: HalfInfo) -> None:
         """Begin a half."""
-        counters = self._scenario.counters
         if self._latest is not None:
-            self._over.append(self._tally(self._latest))
-            self._began = {
-                name: by_team(self._latest[name], self._seats) if counters[name].per == ENTRANTS else self._latest[name]
-                for name in self._names
-                if counters[name].keep == "match"
-            }
-        self._seats, self._latest = half.teams, None
+            self._over.append(self._latest)
+        kept = {} if self._state is None else self._state.kept()
+        self._half, self._latest = replace(half, kept=kept), None
+        self._state = State(self._scenario, self._roster, self._half)
+        self._values = RankedValues(self._counted, self._state, Contacts(self._roster.robots))
 
     def by_team(self, counters: Mapping[str, Any]) -> dict[str, list[Value]] | None:
         """Return the current values by team, in the order of `counted_names`; None if a counter is missing."""
-        if any(name not in counters for name in self._names):
+        if any(name not in counters for name in self._names) or self._state is None or self._half is None:
             return None
-        self._latest = counters
-        halves = [*self._over, self._tally(counters)]
-        teams = dict.fromkeys(self._seats.values())
-        return {team: [counted_for(self._scenario, team, name, halves) for name in self._names] for team in teams}
-
-    def _tally(self, counters: Mapping[str, Any]) -> Tally:
-        """Return the counters of this half, without its time."""
-        return Tally(counters, self._seats, time_s=0.0, began=self._began)
+        self._state.counters.update(counters)
+        self._latest = self._values.read(self._half)
+        halves = [*self._over, self._latest]
+        return {
+            team: [one.of_halves([half[team][at] for half in halves]) for at, one in enumerate(self._counted)]
+            for team in self._latest
+        }
 
 
 def counted_line(scenario: Scenario, values: list[Value]) -> str:
     """Return ``best 10.48 s, poles touched 2``: what counts for a team in the ranking beside its score."""
-    names = ranked_counters(scenario)
-    return ", ".join(measured_words(name, number_words(value)) for name, value in zip(names, values, strict=True))
+    named = zip(_counted(scenario), values, strict=True)
+    return ", ".join(measured_words(name, number_words(value)) for name, value in named)

@@ -17,8 +17,9 @@ from tests.cli.in_this_process import played_one_after_the_other
 
 SLALOM = Path(__file__).resolve().parents[2] / "scenarios" / "examples" / "slalom.yaml"
 NAMES = {"blue": "Hanse", "yellow": "Alster"}
-BY_SCORE_THEN_COUNTER = [{"score": "descending"}, {"counter": "fouls", "order": "ascending"}]
-BY_TIME = [{"time": "ascending", "plus": [{"counter": "fouls", "weight": 3}, {"counter": "falls", "weight": 5}]}]
+BY_SCORE_THEN_COUNTER = [{"score": "each", "better": "more"}, {"counter": "fouls", "better": "less"}]
+FOULS_AND_FALLS = {"sum": [{"counter": "fouls", "times": 3}, {"counter": "falls", "times": 5}]}
+BY_TIME = [{"word": "time_s", "plus": FOULS_AND_FALLS, "better": "less"}]
 
 
 def run(*arguments):
@@ -80,7 +81,7 @@ class TestManyMatches:
             played(4, (1, "blue", [20]), ended=None),
             played(5, (1, "blue", [11])),
         ]
-        (spread,) = rank_summary(criteria([{"time": "ascending"}]), outcomes)["spread"]["blue"]
+        (spread,) = rank_summary(criteria([{"word": "time_s", "better": "less"}]), outcomes)["spread"]["blue"]
         assert spread == {"least": 9.5, "median": 12.5, "mean": 11.0, "most": None, "unfinished": 2}
 
 
@@ -104,14 +105,14 @@ def test_simulate_shows_places_and_times_below_the_scores(tmp_path, capsys, monk
     lines = [line for line in capsys.readouterr().out.splitlines() if "┃" in line or "│" in line]
     scores, row, decides, decided = (re.split(r"\s*[┃│]\s*", line)[1:-1] for line in lines)
     assert (scores, row) == (["entrant", "least", "median", "mean", "most"], ["yellow", "4", "4", "4", "4"])
-    assert decides == ["entrant", "place 1", "time (with touched posts)"]
+    assert decides == ["entrant", "place 1", "time (s) (with touched posts)"]
     assert decided[:2] == ["yellow", "2 times"]
-    assert re.fullmatch(r"[\d.]+ s|[\d.]+ s to [\d.]+ s, median [\d.]+ s", decided[2])
+    assert re.fullmatch(r"[\d.]+|[\d.]+ to [\d.]+, median [\d.]+", decided[2])
 
 
 @pytest.mark.usefixtures("in_this_process")
 def test_json_of_simulate_holds_what_was_compared(tmp_path, capsys, still):
-    rank = "result.rank=[{score: descending}, {counter: put_backs, order: ascending}]"
+    rank = "result.rank=[{score: each, better: more}, {sum: {counter: put_backs, entity: each}, better: less, says: P}]"
     assert run("simulate", "match", "--seeds", "1", "--set", rank, *still, "--json") == 0
     printed = json.loads(capsys.readouterr().out)["ranking"]
     assert printed["criteria"] == ["score", "put_backs"]

@@ -26,7 +26,7 @@ rules:
     conditions: [{flag: won}]
     actions: [{action: end, what: match}]
   win: {triggers: [{trigger: half_ended}], actions: [{action: set_flag, flag: won}]}
-result: {rank: [{score: descending}, {counter: own, order: ascending}]}
+result: {rank: [{score: each, better: more}, {sum: {counter: own, entity: each}, better: less, says: O}]}
 """
 GOAL = "keyframes: [{at_s: 0.32, place: {ball: [0, 0.75]}}]"
 QUIET = "keyframes: [{at_s: 0}]"

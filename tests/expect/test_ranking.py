@@ -14,7 +14,10 @@ extends: soccersim_v2
 match: {half_s: 60}
 counters: {laps: {per: robots}, faults: {per: robots}}
 result:
-  rank: [{score: descending}, {counter: laps}, {time: ascending, plus: [{counter: faults, weight: 5}]}]
+  rank:
+    - {score: each, better: more}
+    - {sum: {counter: laps, entity: each}, better: more, says: Laps.}
+    - {word: time_s, plus: {sum: {counter: faults, entity: each}, times: 5}, better: less, says: Time.}
 rules:
   lap:
     for_each: robots
@@ -75,7 +78,10 @@ def test_a_ranking_names_entrants(ranking, expected):
 class TestChangesOfTheCountersThatRank:
     RACE = """
     counters: {laps: {per: robots}, faults: {}, other: {}}
-    result: {rank: [{counter: laps}, {time: ascending, plus: [{counter: faults, weight: 5}]}]}
+    result:
+      rank:
+        - {sum: {counter: laps, entity: each}, better: more, says: Laps.}
+        - {word: time_s, plus: {counter: faults, times: 5}, better: less, says: Time.}
     rules:
       other: {triggers: [{trigger: time_reached, at_s: 0.16}], actions: [{action: count, counter: other}]}
       fault: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: count, counter: faults}]}

@@ -26,7 +26,7 @@ rules:
       - {action: count, counter: runs, entity: Y1, by: 10}
       - {action: count, counter: runs, entity: Y2}
       - {action: score, entrant: yellow, points: {word: halftime}}
-result: {rank: [{counter: runs, order: descending}, {score: descending}]}
+result: {rank: [{sum: {counter: runs, entity: each}, better: more, says: R}, {score: each, better: more}]}
 """
 DRIVES = "from controller import Robot\nrobot = Robot()\nprint('{team} {does} as', robot.getName())\nrobot.step(32)\n"
 

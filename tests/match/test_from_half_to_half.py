@@ -56,7 +56,7 @@ def ends(run):
 
 def test_each_half_lasts_as_long_as_its_own_length(play):
     words = "{half: {word: halftime}, lasts_s: {word: total_match_time_s}, left_s: {word: time_left_s}}"
-    run = play(LONG_AND_SHORT, emit("half_started", words), result="{rank: [{time: ascending}]}")
+    run = play(LONG_AND_SHORT, emit("half_started", words), result="{rank: [{word: time_s, better: less, says: T}]}")
     assert ends(run) == [(1, 32, None), (2, 16, None), (3, 10, None)]
     assert run.result["simulated_s"] == 58 * 0.032
     assert payloads(run) == [

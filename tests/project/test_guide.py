@@ -9,7 +9,6 @@ import pytest
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
-from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
 from rcj_challenges.scenario.resources import names_in, presets_folder
@@ -45,9 +44,6 @@ rules:
 )
 KEPT = HEAD + "match: {halves: 2, half_s: 5, swap_sides: true}\nflags: {done: {per: robots, keep: match}}\n"
 KEPT += "rules: {r: {triggers: [{trigger: time_reached, at_s: 1}], actions: [{action: set_flag, flag: done, entity: Y1}]}}\n"
-COUNTED = HEAD + "match: {halves: 2, half_s: 5}\ncounters: {fouls: {per: robots}, lost: {per: balls}, all: {}}\n"
-COUNTED += "result: {rank: [{counter: fouls}, {counter: lost}, {counter: all}]}\n"
-COUNTED += "rules: {r: {triggers: [{trigger: half_started}], actions: [{action: count, counter: all}]}}\n"
 
 
 def row(section: str) -> str:
@@ -99,14 +95,6 @@ def test_a_flag_that_is_kept_stays_with_the_seat_when_the_teams_change_sides():
     assert second.teams == {"blue": "yellow", "yellow": "blue"}
     after = ScriptedMatch(loaded.scenario, loaded.roster, second)
     assert [name for name, done in after.referee.flags["done"].items() if done] == ["Y1"]
-
-
-def test_counters_kept_per_robot_are_summed_by_entrant_and_others_are_equal_for_all():
-    scenario = load_text(COUNTED).scenario
-    counted = {"fouls": {"B1": 1, "B3": 2, "Y2": 5}, "lost": {"ball": 4}, "all": 7}
-    seats = {"blue": "blue", "yellow": "yellow"}
-    reported = ranking(scenario, {"blue": 0, "yellow": 0}, [Tally(counted, seats, 5.0)] * 2)
-    assert {entry["team"]: entry["values"] for entry in reported} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
 
 
 def test_the_rule_of_the_fifth_step_gives_two_points_if_y3_touched_the_ball_last():

@@ -4,7 +4,9 @@ import json
 
 import pytest
 
-from rcj_challenges.referee.ranking import Tally, ranking
+from rcj_challenges.expect.scripted_match import half_of
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.scenario.roster import Roster
 from tests.referee.building import acted, at_tick_10, hears, payloads
 
 TENTHS = """
@@ -82,8 +84,8 @@ def test_more_than_all_less_more_than_all_is_nothing(stage):
 
 def test_a_time_with_endless_penalties_is_still_a_number_to_rank_by(small):
     scenario = small(
-        "counters: {faults: {}}\nresult: {rank: [{time: ascending, plus: [{counter: faults, weight: 1.0e+308}]}]}"
+        "counters: {faults: {initial: 1.0e+15}}\n"
+        "result: {rank: [{word: time_s, plus: {counter: faults, times: 1.0e+308}, better: less, says: T}]}",
     )
-    halves = [Tally({"faults": 10**15}, {"blue": "blue", "yellow": "yellow"}, 60)]
-    places = ranking(scenario, {"blue": 0, "yellow": 0}, halves)
-    assert [entry["values"] for entry in places] == [[10**15], [10**15]]
+    half = half_of(scenario)
+    assert Referee(scenario, Roster.of(scenario), half).ranked(half) == {"blue": [10**15], "yellow": [10**15]}

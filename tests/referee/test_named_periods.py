@@ -56,7 +56,7 @@ def played(text: str, *goals: str) -> list[ScriptedMatch]:
         while not play.referee.time_is_up and play.output.ended is None:
             play.play()
         play.finish()
-        carried.add(half, play.referee, play.tick)
+        carried.add(half, play.referee)
         found.append(play)
         if play.output.ends_match:
             break

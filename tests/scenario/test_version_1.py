@@ -141,3 +141,51 @@ def test_flags_were_turned_over_and_sequences_reset_by_actions_of_their_own(firs
         for version, action in enumerate((first, second), 1)
     )
     assert next(rules) == next(rules)
+
+
+RANK = "counters: {n: {}, laps: {per: robots}}\nresult: {rank: [%s]}\nrules: {}\n"
+PHASE = "phases: {pause: {lasts_s: 3, clock: stops}}\n"
+
+
+def recorded(rank: list[dict[str, object]], more: str = ""):
+    """Return the scenario of a record that ranks as version 1 did."""
+    resolved = load_text(HEAD % 2 + more + RANK % "{score: each, better: more}").resolved
+    return load_resolved({**resolved, "result": {"rank": rank}}).scenario
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ({"score": "ascending"}, "{score: each, better: less}"),
+        ({"counter": "n"}, "{counter: n, better: more, says: The higher number of n is better.}"),
+        (
+            {"counter": "laps", "order": "ascending"},
+            "{sum: {counter: laps, entity: each}, better: less, says: The lower number of laps is better.}",
+        ),
+        (
+            {"time": "ascending", "plus": [{"counter": "n", "weight": 5}]},
+            "{word: time_s, plus: {counter: n, times: 5}, better: less, says: 'The shorter time is better, with 5 s for each count of n.'}",
+        ),
+        (
+            {"time": "descending", "plus": [{"counter": "n", "weight": 5}, {"counter": "laps", "weight": -1}]},
+            "{word: time_s, plus: {sum: [{counter: n, times: 5}, {sum: {counter: laps, entity: each}, times: -1}]}, better: more, says: 'The longer time is better, with 5 s for each count of n, with -1 s for each count of laps.'}",
+        ),
+    ],
+)
+def test_ranking_of_a_record_is_converted_and_that_of_a_file_is_an_error_with_the_new_line(first, second):
+    (ranked,) = load_text(HEAD % 2 + RANK % second).scenario.result.rank
+    assert recorded([first]).result.rank == (ranked,)
+    for version in (1, 2):
+        with pytest.raises(ScenarioError) as caught:
+            load_text(HEAD % version + RANK % first)
+        (problem,) = caught.value.diagnostics
+        assert problem.code == "old-language"
+        help_ = problem.help.removeprefix("write ")
+        assert load_text(HEAD % 2 + RANK % help_).scenario.result.rank == (ranked,)
+
+
+def test_time_of_a_record_went_on_while_the_clock_stood_still():
+    scenario = recorded([{"time": "ascending"}], PHASE + "timers: {played: {lasts_s: 5}}\n")
+    assert scenario.result.rank[0].timer == "played_s"
+    assert scenario.timers["played_s"].starts
+    assert scenario.timers["played_s"].lasts_s is None

@@ -120,7 +120,7 @@ def test_limits_phases_and_exclusions_of_a_rule_stand_with_it():
 
 def test_rules_that_give_no_points_are_not_ranked_unless_the_scenario_says_how():
     assert section(sheet(RULE), "Scoring") == "No rule gives points."
-    assert "Fewer points are better." in sheet(f"{RULE}result: {{rank: [{{score: ascending}}]}}\n")
+    assert "Fewer points are better." in sheet(f"{RULE}result: {{rank: [{{score: each, better: less}}]}}\n")
 
 
 # --- robots, field and programs -----------------------------------------------------------------------------------------

@@ -24,7 +24,10 @@ from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_
 from tests.views.browser_stage import NO_WEBGL, settled
 
 TICKS = 40
-RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order": "ascending"}]
+RANK = [
+    {"sum": {"counter": "laps", "entity": "each"}, "better": "more", "says": "More laps are better."},
+    {"counter": "best_s", "better": "less", "says": "The shorter time is better."},
+]
 
 
 @pytest.mark.parametrize(
@@ -137,7 +140,7 @@ def test_points_are_shown_where_rules_give_some_or_the_ranking_compares_them() -
     rules = {"goal": {"triggers": [{"trigger": "half_ended"}], "actions": [{"action": "emit", "event": "GOAL"}]}}
     assert shows_score(_scenario())
     assert not shows_score(_scenario(rules=rules))
-    assert shows_score(_scenario(rules=rules, result={"rank": [{"score": "ascending"}]}))
+    assert shows_score(_scenario(rules=rules, result={"rank": [{"score": "each", "better": "less"}]}))
 
 
 def test_scoreboard_list_and_caption_show_it(show: Callable[..., Any], run: Path) -> None:

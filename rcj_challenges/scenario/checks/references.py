@@ -21,7 +21,7 @@ from rcj_challenges.scenario.checks.naming import removal_help
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import format_node, spelled
 from rcj_challenges.scenario.models.robots import Entrant, Kit
-from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
+from rcj_challenges.scenario.models.scenario import Expectation, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence, Timer
 from rcj_challenges.scenario.roster import BOUND, EACH, ENTRANTS, OTHER, OTHERS, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
@@ -98,9 +98,10 @@ class _Walker:
             return scope
         if model is Rule:
             scope = self._scope_of(node)
-        elif model is Timer and texts(node.entries.get("per")):
-            # What one of several timers lasts may be what the counter of the same member says.
-            scope = self._scope_of_group(node.entries["per"])
+        # What one of several timers lasts may be what the counter of the same member says.
+        group = node.entries.get("per") if model is Timer else Leaf(ENTRANTS, node.mark) if model is Result else None
+        if texts(group):
+            scope = self._scope_of_group(group)
         for key, reference, default in self._refs_of(model, node, path):
             if key in node.entries:
                 self._values(reference, node.entries[key], (*path, key), path)
@@ -141,7 +142,7 @@ class _Walker:
         found = dict.fromkeys(name for one, other in pairs for name in other if name in touched(one, other))
         return scope._replace(other=tuple(found))
 
-    def _scope_of_group(self, group: Node) -> Scope:
+    def _scope_of_group(self, group: Node | None) -> Scope:
         return Scope(self._members(group, Scope()), group=next(iter(texts(group)), None))
 
     def _members(self, names: Node | None, scope: Scope) -> tuple[str, ...]:
@@ -414,7 +415,7 @@ class _Walker:
             self.add(codes.MISSING_ENTITY, (*path, "entity"), "these are several", help_)
             return
         stranger = next((one for one in self._members(whose, scope) if one not in owners and one in kinds), None)
-        if stranger is not None:
+        if stranger is not None and not (scope.group == ENTRANTS and _is_folded(path)):  # of a team: those that have it
             message = f"{key} '{name}' is kept per {group}, and '{stranger}' is not among them"
             self.add(codes.WRONG_KIND, (*path, "entity"), message)
 

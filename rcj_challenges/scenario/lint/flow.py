@@ -9,7 +9,7 @@ from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
-from rcj_challenges.scenario.models.scenario import ExpectedEvent, RankByScore, Rule
+from rcj_challenges.scenario.models.scenario import ExpectedEvent, Rule
 from rcj_challenges.scenario.roster import EACH, OTHERS
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import effects_in, walk
@@ -206,11 +206,11 @@ class NoWayToScore(LintRule, code="no-way-to-score"):
     """The score decides, and no rule that can fire gives points."""
 
     message = "no rule that can fire gives points, and the score decides"
-    help = "add {{action: score, …}} to a rule, or rank by a counter or a time in result:"
+    help = "add {{action: score, …}} to a rule, or rank by another value in result:"
     at_key = True
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
-        by_score = isinstance(ctx.scenario.result.rank[0], RankByScore)
+        by_score = ctx.scenario.result.rank[0].is_score
         if by_score and not any(ctx.reachable_effects(effects.Scores)):
             yield self.at(("rules",))
 

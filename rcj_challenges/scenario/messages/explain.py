@@ -18,6 +18,7 @@ from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import NAME_RULE
 from rcj_challenges.rules.places import At
+from rcj_challenges.rules.ranked import AnyRanked
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.scenario.codes import MISSING_KEY, MISSING_VALUE, UNKNOWN_KEY, UNKNOWN_WORD, WRONG_NAME, WRONG_VALUE
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, did_you_mean, nearest
@@ -53,6 +54,7 @@ from rcj_challenges.scenario.tree import (
 _KEY = "[key]"
 """What pydantic appends to the place of a mapping's entry if its key is wrong."""
 _LISTS: dict[str, Any] = {"trigger": AnyTrigger, "condition": AnyCondition, "action": AnyAction}
+_KEYED: dict[str, Any] = {"condition": AnyCondition, "value": AnyRanked}
 _PLACES = {"spots": "spot", "zones": "uniform_in", "robots": "relative_to", "balls": "relative_to"}
 """How the place of a name is written, by the section that defines it."""
 
@@ -230,11 +232,12 @@ class _Explainer:
         words = list(tags(mistake.shape))
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             help_ = own_help or _with_its_key(mistake.shape, node)
-            if words == list(tags(AnyCondition)) and isinstance(node, Entries):
+            kind = next((kind for kind, shape in _KEYED.items() if words == list(tags(shape))), "")
+            if kind and isinstance(node, Entries):
                 keys = [key.casefold() for key in node.entries]
-                foreign = next((OTHER_WORDS["condition", key] for key in keys if ("condition", key) in OTHER_WORDS), "")
+                foreign = next((OTHER_WORDS[kind, key] for key in keys if (kind, key) in OTHER_WORDS), "")
                 near = next((did_you_mean(key, words) for key in keys if did_you_mean(key, words)), "")
-                message = f"no condition has {format_node(node)}"
+                message = f"no {kind} has {format_node(node)}"
                 return self._at(mistake.path, UNKNOWN_WORD, message, foreign or near or choice_of("", words))
             return self._at(mistake.path, WRONG_VALUE, expected(mistake.shape, node), help_)
         tag = child(node, discriminator)

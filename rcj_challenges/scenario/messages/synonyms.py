@@ -65,6 +65,10 @@ _WORDS: dict[str, dict[str, str]] = {
         "free empty occupied": "did you mean 'spot_free'? Of a zone: {entity: NAME, in: ZONE, negate: true}",
         "random chance": _CHANCE,
     },
+    "value": {
+        "time": "a time is {word: time_s, better: less, says: …}",
+        "points goals": "points are {score: each, better: more}",
+    },
     "shape": {
         "rectangle square": "did you mean 'rect', or of an obstacle 'box'?",
         "disk disc round": "did you mean 'circle', or of an obstacle 'cylinder'?",
@@ -75,7 +79,7 @@ _WORDS: dict[str, dict[str, str]] = {
 OTHER_WORDS = {
     (kind, word): help_ for kind, table in _WORDS.items() for words, help_ in table.items() for word in words.split()
 }
-"""By kind of word (``trigger``, ``action``, ``condition``, ``shape``) and foreign word: what to write."""
+"""By kind of word (``trigger``, ``action``, ``condition``, ``value``, ``shape``) and foreign word: what to write."""
 
 _KEYS = {
     "when on": "triggers",
@@ -99,6 +103,7 @@ _KEYS = {
     "duration seconds for_s": "half_s lasts_s for_s limit_s",
     "more_than faster_than greater_than greater over": "above at_least",
     "less_than slower_than fewer_than less under": "below at_most",
+    "order": "better",
     "min minimum": "at_least",
     "max maximum up_to": "at_most",
 }

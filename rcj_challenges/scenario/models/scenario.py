@@ -10,7 +10,8 @@ from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.effects import Effect, Moment
 from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.message import Said
-from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEP, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
+from rcj_challenges.rules.ranked import BY_SCORE, AnyRanked
+from rcj_challenges.rules.refs import ENTRANT, FIXED, KEEP, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Lasts, Value
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
@@ -140,49 +141,11 @@ class Broadcast(Strict):
     every_ticks: int = described(1, "number of ticks from one broadcast to the next", ge=1, le=10_000)
 
 
-class RankByScore(Strict):
-    """Rank by score."""
-
-    score: Literal["ascending", "descending"] = described(
-        ..., "ascending: lower is better; descending: higher is better"
-    )
-
-
-class PlusPart(Strict):
-    """Seconds added to a time for each count of a counter."""
-
-    counter: Annotated[Name, COUNTER] = described(..., "a counter")
-    weight: float = described(..., "seconds for each count")
-
-
-class RankByTime(Strict):
-    """Rank by the time at which each half ended, summed over all halves, plus penalties."""
-
-    time: Literal["ascending", "descending"] = described(
-        ..., "ascending: lower is better; descending: higher is better"
-    )
-    plus: tuple[PlusPart, ...] = Field(
-        (), strict=False, description="counters whose values are added as seconds, with a weight"
-    )
-
-
-class RankByCounter(Strict):
-    """Rank by a counter, summed over all halves; a counter kept per entity is summed over the team's robots."""
-
-    counter: Annotated[Name, COUNTER] = described(..., "a counter")
-    order: Literal["ascending", "descending"] = described(
-        "descending", "ascending: lower is better; descending: higher is better"
-    )
-
-
 class Result(Strict):
-    """How entrants are ranked, with the most important criterion first."""
+    """How entrants are ranked, with the most important value first."""
 
-    rank: tuple[RankByScore | RankByTime | RankByCounter, ...] = Field(
-        (RankByScore.model_construct(score="descending"),),
-        strict=False,
-        min_length=1,
-        description="criteria; a later one breaks ties",
+    rank: tuple[AnyRanked, ...] = Field(
+        (BY_SCORE,), strict=False, min_length=1, description="values with `better`; a later one breaks ties"
     )
 
 

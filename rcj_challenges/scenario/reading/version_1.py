@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from rcj_challenges.core.amounts import measure
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
 
 _ACTIONS = {"score": ("points",), "count": ("by", "to")}
@@ -28,6 +29,67 @@ def to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> None:
         _Rule(rule, trees).convert()
     for node in _mappings(tree):
         _convert_value(node, trees)
+
+
+def ranking_to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> list[Entries]:
+    """Bring what entrants are ranked by to version 2, whatever version the file names; return what was not."""
+    rank = _entries(tree.entries.get("result")).get("rank")
+    items = rank.items if isinstance(rank, Items) else []
+    found: list[Entries] = []
+    for at, one in enumerate(items):
+        if isinstance(one, Entries) and "better" not in one.entries and (ranked := _ranked(one, tree, bases)):
+            items[at] = ranked
+            found.append(ranked)
+    return found
+
+
+def _ranked(one: Entries, tree: Entries, bases: Sequence[Entries]) -> Entries | None:
+    """Return a value that ranks: a score, a time with penalties, or a counter, which was that of a team's robots."""
+    mark, trees = one.mark, (tree, *bases)
+    key = next((key for key in ("score", "time", "counter") if key in one.entries), "")
+    order = _text(one, "order" if key == "counter" else key) or "descending" * (key == "counter")
+    if order not in ("ascending", "descending"):
+        return None
+    is_more = order == "descending"
+    better = Leaf("more" if is_more else "less", mark)
+    if key == "score":
+        return _mapping(mark, score=Leaf("each", mark), better=better)
+    if key == "counter":
+        words, unit = measure(_text(one, key))
+        what = words if unit else f"number of {words}"
+        says = f"The {'higher' if is_more else 'lower'} {what} is better."
+        return _mapping(mark, **_counter(one, trees), better=better, says=Leaf(says, mark))
+    time, added = _time(tree, trees, mark), one.entries.get("plus")
+    says = f"The {'longer' if is_more else 'shorter'} time is better"
+    terms: list[Node] = []
+    for part in added.items if isinstance(added, Items) else ():
+        weight = _entries(part).get("weight") or Leaf(1, mark)
+        terms.append(_mapping(part.mark, **_counter(part, trees), times=weight))
+        seconds = weight.value if isinstance(weight, Leaf) else f"{{{_text(weight, 'param')}}}"
+        says += f", with {seconds} s for each count of {measure(_text(part, 'counter'))[0]}"
+    plus = {"plus": terms[0] if len(terms) == 1 else _mapping(mark, sum=Items(terms, mark))} if terms else {}
+    return _mapping(mark, **time, **plus, better=better, says=Leaf(f"{says}.", mark))
+
+
+def _counter(node: Node, trees: Sequence[Entries]) -> dict[str, Node]:
+    counter = _entries(node)["counter"]
+    if not _per(trees, "counters", _text(node, "counter")):
+        return {"counter": counter}
+    return {"sum": _mapping(node.mark, counter=counter, entity=Leaf("each", node.mark))}
+
+
+def _time(tree: Entries, trees: Sequence[Entries], mark: Mark) -> dict[str, Node]:
+    """The time of the ranking went on while the clock stood still, as a timer does."""
+    phases = [phase for one in trees for phase in _entries(one.entries.get("phases")).values()]
+    if not any(_text(phase, "clock") == "stops" for phase in phases):
+        return {"word": Leaf("time_s", mark)}
+    name, timers = "played", tree.entries.get("timers") or Entries({}, mark)
+    while _defines(trees, "timers", name):
+        name += "_s"
+    if isinstance(timers, Entries):
+        timers.put(name, _mapping(mark, starts=Leaf(value=True, mark=mark)), mark)
+        tree.put("timers", timers, mark)
+    return {"timer": Leaf(name, mark)}
 
 
 def _make_tables(tree: Entries) -> None:
@@ -61,6 +123,11 @@ def _convert_value(node: Entries, trees: Sequence[Entries]) -> None:
     elif set(node.entries) == {"held"} and _text(node, "held"):
         _rename(node, held="entity")
         node.put("held", Leaf(value=True, mark=node.mark), node.mark)
+
+
+def _per(trees: Sequence[Entries], section: str, name: str) -> str:
+    entries = (_entries(tree.entries.get(section)).get(name) for tree in trees)
+    return next((_text(entry, "per") for entry in entries if entry is not None), "")
 
 
 def _defines(trees: Sequence[Entries], section: str, name: str) -> bool:
@@ -104,7 +171,7 @@ class _Rule:
         """A flag was turned over, and a sequence reset, by an action of its own; without ``entity``, of all."""
         word, mark = _text(action, "action"), action.mark
         kept = ((f"{key}s", _text(action, key)) for key in ("counter", "flag", "timer", "sequence"))
-        per = next((per for section, name in kept if (per := self._per(section, name))), "")
+        per = next((per for section, name in kept if (per := _per(self._trees, section, name))), "")
         if word not in ("", "reset") and self._group and per and "entity" not in action.entries:
             action.put("entity", Leaf(per, mark), mark)
         if word == "toggle_flag":
@@ -147,11 +214,7 @@ class _Rule:
         return part
 
     def _is_kept_per(self, kind: str, name: str) -> bool:
-        return bool(self._per(f"{kind}s", name))
-
-    def _per(self, section: str, name: str) -> str:
-        entries = (_entries(tree.entries.get(section)).get(name) for tree in self._trees)
-        return next((_text(entry, "per") for entry in entries if entry is not None), "")
+        return bool(_per(self._trees, f"{kind}s", name))
 
     def _bound(self, node: Entries, key: str) -> None:
         """``{lowest: COUNTER}`` is among all others in a rule for each that keeps the counter, else among all."""
@@ -161,7 +224,7 @@ class _Rule:
             if not counter or not isinstance(bound, Entries):
                 continue
             entries: dict[str, Node] = {"counter": bound.entries[word]}
-            if self._group and self._per("counters", counter) in ("", self._group):
+            if self._group and _per(self._trees, "counters", counter) in ("", self._group):
                 entries["entity"] = Leaf("others", bound.mark)
             node.put(key, _mapping(bound.mark, **{word: _mapping(bound.mark, **entries)}), node.key_marks[key])
 

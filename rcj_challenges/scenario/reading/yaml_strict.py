@@ -12,6 +12,7 @@ import json
 import math
 import re
 from contextlib import suppress
+from math import inf
 from typing import Any
 
 import yaml
@@ -127,6 +128,11 @@ def refuse_size(size: int, file: str) -> None:
     """
     if size > MAX_BYTES:
         raise too_large(Mark(file), f"the scenario has {size} bytes; at most {MAX_BYTES} are read")
+
+
+def on_one_line(data: Any) -> str:
+    """Return data as an author writes it in one line."""
+    return str(yaml.safe_dump(data, default_flow_style=True, sort_keys=False, width=inf)).strip()
 
 
 def _syntax_error(error: yaml.MarkedYAMLError, file: str) -> Diagnostic:

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
+from math import isfinite
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
@@ -17,6 +18,7 @@ from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, Scenari
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Row, Ruled, StageState, Table, humanized
 from rcj_challenges.tournament.standings import placed
 
+_Values = tuple[float | None, ...]
 TOTAL = "total"
 """Name of the table that combines several challenges."""
 
@@ -120,7 +122,7 @@ def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> set
 
 def _table(context: StageContext, stage: Challenge, name: str, teams: Sequence[str], fixtures: list[Fixture]) -> Table:
     info = _info(context, stage, name)
-    runs: dict[str, list[tuple[float, ...]]] = {team: [] for team in teams}
+    runs: dict[str, list[_Values]] = {team: [] for team in teams}
     forfeits = dict.fromkeys(teams, 0)
     for fixture in fixtures:
         team, outcome = fixture.sides[0].teams[0], context.outcomes.get(fixture.id)
@@ -147,15 +149,17 @@ def _info(context: StageContext, stage: Challenge, name: str) -> ScenarioInfo:
     return context.scenarios[context.names.use(one.scenario, one.set)]
 
 
-def _worst(info: ScenarioInfo, runs: Sequence[tuple[float, ...]]) -> tuple[float, ...]:
+def _worst(info: ScenarioInfo, runs: Sequence[_Values]) -> _Values:
     """Return the worst value of each criterion: a run with a corrected score has these in the other criteria."""
     return tuple(
-        (min if criterion.is_more_better else max)((run[at] for run in runs if at < len(run)), default=0.0)
+        (min if criterion.is_more_better else max)(
+            (run[at] for run in runs if at < len(run)), key=criterion.number, default=0.0
+        )
         for at, criterion in enumerate(info.criteria)
     )
 
 
-def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[tuple[float, ...]]) -> tuple[float, ...]:
+def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[_Values]) -> _Values:
     """Return the value of each criterion that counts for a team."""
     if not runs:
         return ()
@@ -164,7 +168,9 @@ def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[tuple[float, .
     from statistics import median  # noqa: PLC0415 - it imports much
 
     together = median if stage.rank_by == "median" else sum
-    return tuple(round_score(together(column)) for column in zip(*runs, strict=True))
+    columns = zip(info.criteria, zip(*runs, strict=True), strict=False)
+    numbers = (together([criterion.number(value) for value in column]) for criterion, column in columns)
+    return tuple(round_score(number) if isfinite(number) else None for number in numbers)
 
 
 def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables: Sequence[Table]) -> Table:
@@ -197,7 +203,8 @@ def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
     place.
     """
     shares: dict[str, float] = {}
-    best, least = 0.0, 100.0
+    best: float | None = 0.0
+    least = 100.0
     for row in found.rows:
         if not shares and row.values:
             best = row.values[0]
@@ -206,7 +213,9 @@ def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
     return shares
 
 
-def _share(criterion: Criterion, value: float, best: float) -> float:
+def _share(criterion: Criterion, value: float | None, best: float | None) -> float:
+    if value is None or best is None:
+        return 0.0
     if value == best and best >= 0 and not (criterion.is_more_better and best == 0):
         return 100.0
     part, whole = (value, best) if criterion.is_more_better else (best, value)

@@ -140,7 +140,7 @@ def _distributions(season: Season, stage: StageState) -> list[tuple[str, Markup]
         for match in season.of_stage(stage):
             if match.fixture.group == name and match.outcome is not None:
                 value = (match.outcome.values or match.outcome.scores or (0.0,))[0]
-                values.setdefault(match.teams[0], []).append(value)
+                values.setdefault(match.teams[0], []).extend([] if value is None else [value])
         if any(values.values()):
             first = next(iter(columns.get(name, ())), "value")
             shown = {season.name(team): several for team, several in values.items() if several}

@@ -8,20 +8,12 @@ from rcj_challenges.core.amounts import Noun
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.rules.effects import PlacesLayout
-from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
+from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, seconds
 from rcj_challenges.rules.placement import placement_words
-from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
 from rcj_challenges.scenario.models.limits import Limits
-from rcj_challenges.scenario.models.scenario import (
-    RankByCounter,
-    RankByScore,
-    RankByTime,
-    Result,
-    Rule,
-    Scenario,
-)
-from rcj_challenges.scenario.placeholders import description_of
-from rcj_challenges.scenario.roster import ENTRANTS, Roster
+from rcj_challenges.scenario.models.scenario import Result, Rule, Scenario
+from rcj_challenges.scenario.placeholders import description_of, filled
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import layouts_of
 from rcj_challenges.views.drawing.field import picture_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
@@ -73,8 +65,7 @@ def _scoring(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule])
     rows = dict.fromkeys(row for rule in rules.values() for row in _points_rows(phrases, rule))
     yield Table(("when", "who", "points"), tuple(rows)) if rows else "No rule gives points."
     if rows or scenario.result != Result():
-        first, *others = (_criterion_words(phrases, criterion) for criterion in scenario.result.rank)
-        yield " If that is equal: ".join([first, *(f"{one[:1].lower()}{one[1:]}" for one in others)])
+        yield how_to_win(scenario)
 
 
 def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, str]]:
@@ -86,35 +77,11 @@ def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, st
     yield from ((when, receiver, ", plus ".join(parts)) for receiver, parts in points.items())
 
 
-def _criterion_words(phrases: Phrasebook, criterion: RankByScore | RankByTime | RankByCounter) -> str:
-    if isinstance(criterion, RankByScore):
-        return f"{'More' if criterion.score == 'descending' else 'Fewer'} points are better."
-    if isinstance(criterion, RankByCounter):
-        larger = "larger" if criterion.order == "descending" else "smaller"
-        return f"A {larger} value of {_own_counter(phrases, criterion.counter)} is better."
-    match = phrases.scenario.match
-    halves = f"the {match.period.many} together lasted" if match.halves > 1 else f"the {match.period} lasted"
-    stops = ", also while the clock stood still" if clock_may_stop(phrases.scenario) else ""
-    changes = [
-        f", {seconds(abs(part.weight))} {'taken off' if part.weight < 0 else 'added'} for each count of "
-        f"{_own_counter(phrases, part.counter)}"
-        for part in criterion.plus
-    ]
-    shorter = "shorter" if criterion.time == "ascending" else "longer"
-    return (
-        f"A {shorter} time is better: how long {halves} until a rule ended it{stops}{''.join(changes)}. A team that "
-        f"does not finish has the whole {seconds(sum(half_lengths_s(match)))}."
-    )
-
-
-def _own_counter(phrases: Phrasebook, name: str) -> str:
-    """Return the counter of one team: its own, or of one kept per robot the sum of those of its own robots."""
-    owners = phrases.keepers("counter", name)
-    if owners == ENTRANTS:
-        return phrases.kept("counter", name, "each")
-    if owners is None or not set(phrases.scenario.robots) & set(phrases.roster.expand(owners)):
-        return phrases.kept("counter", name, None)
-    return f"the sum of the counters {quoted_measure(name)} of its own robots"
+def how_to_win(scenario: Scenario) -> str:
+    """Return the sentences of the ranking, one behind the other."""
+    by_score = {"more": "More points are better.", "less": "Fewer points are better."}
+    said = (filled(one.says, scenario.params) or by_score[one.better] for one in scenario.result.rank)
+    return " ".join(said)
 
 
 def _layouts(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[str]:

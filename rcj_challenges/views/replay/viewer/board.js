@@ -35,7 +35,7 @@ class Board {
     box.replaceChildren(...values.map((value, index) => {
       const { name, unit } = this.recording.facts.counted[index];
       const one = element("span", "", `${name} `);
-      one.append(element("b", "", String(value)), unit ? ` ${unit}` : "");
+      one.append(element("b", "", String(value ?? "none")), unit && value !== null ? ` ${unit}` : "");
       return one;
     }));
   }
