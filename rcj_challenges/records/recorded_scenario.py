@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.core.amounts import HALF
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.codes import RECORD_INCOMPLETE, RECORD_UNREADABLE
 from rcj_challenges.records.errors import COPY_AGAIN, RecordError
@@ -38,6 +39,15 @@ def read_scenario(folder: Path) -> Scenario:
         raise RecordError.damaged(f"{folder.name}: {SCENARIO} is not as the run wrote it: {what}") from error
     except (TypeError, ValueError, RecursionError) as error:
         raise RecordError.damaged(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error
+
+
+def read_period(path: Path) -> str:
+    """Return what a half is called in the resolved scenario of a file; ``half`` if that cannot be read."""
+    try:
+        called = parsed(read_file(path))["match"]["called"]
+        return str(called if isinstance(called, str) else called[0])
+    except (OSError, ValueError, TypeError, LookupError, RecursionError, RecordError):
+        return HALF.one
 
 
 def read_unresolved(folder: Path) -> dict[str, Any]:

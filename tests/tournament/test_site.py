@@ -16,7 +16,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 
 from rcj_challenges.core.diagnostics import DiagnosticError
-from rcj_challenges.records.folder import SENSORS
+from rcj_challenges.records.folder import SCENARIO, SENSORS
 from rcj_challenges.tournament.played import Submission
 from rcj_challenges.tournament.season import Outcome, Ruled
 from rcj_challenges.tournament.site import Published, SiteSource, hidden_fixtures, publish
@@ -169,6 +169,22 @@ def test_sensors_that_are_recorded_later_come_into_what_a_team_gets(season: Made
     sensors.rename(record / SENSORS)
     publish(source, tmp_path / "published")
     assert 'id="sensors-1"' in (folder / "replay.html").read_text("utf-8")
+
+
+def test_halves_have_the_name_that_the_scenario_gives_them(season: MadeUpSeason, tmp_path: Path) -> None:
+    record = Path(shutil.copytree(season.record, tmp_path / "record"))
+    scenario = json.loads((record / SCENARIO).read_text("utf-8"))
+    scenario["match"]["called"] = ["inning", "innings"]
+    (record / SCENARIO).write_text(json.dumps(scenario), "utf-8")
+    outcomes = season.outcomes({"groups": 1})
+    source = replace(season, record=record).source(dict([next(iter(outcomes.items()))]))
+    (match,) = Season(source).released
+    publish(source, tmp_path / "published")
+    page = (tmp_path / "published" / "site" / "matches" / match.slug / "index.html").read_text("utf-8")
+    for_team = (tmp_path / "published" / "for_teams" / match.teams[1] / "index.html").read_text("utf-8")
+    assert not re.search(r"(?i)\bhalf [1-9]", page + for_team)
+    assert all(f"inning {number}" in page.lower() for number in (1, 2))
+    assert "inning 1, " in for_team
 
 
 def test_in_a_super_team_each_team_has_the_log_of_its_robot(data: Path, source: SiteSource) -> None:

@@ -64,7 +64,7 @@ def test_a_bracket_links_to_the_last_match_of_each_tie() -> None:
 
 def test_plots_are_well_formed_whatever_the_names_and_numbers() -> None:
     for svg in (
-        score_plot([HOSTILE, "b"], [(10.0, [(0.0, [0, 0]), (3.0, [-2, 1.5])]), (0.0, [])]),
+        score_plot([HOSTILE, "b"], [(10.0, [(0.0, [0, 0]), (3.0, [-2, 1.5])]), (0.0, [])], HOSTILE),
         form_plot([(HOSTILE, -3), ("x", 0)]),
         distribution_plot({HOSTILE: [1.0, 1.0], "one": []}, "time (s)"),
         distribution_plot({"a": [-1e9, 1e9, 0.1]}, "score"),

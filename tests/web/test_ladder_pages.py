@@ -13,7 +13,7 @@ import pytest
 from django.utils import timezone
 
 from rcj_challenges.web import jobs, seasons, tables
-from rcj_challenges.web.blobs import record_folder
+from rcj_challenges.web.blobs import match_folder, record_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.ladder.published import Results, fit_of, table_of
 from rcj_challenges.web.models import Basis, Entry, Job, JobState, Match, MatchKind, Season, State, Submission
@@ -247,6 +247,16 @@ def test_fault_has_its_team_and_leads_to_its_moment_and_an_own_one_is_marked(sit
         faults = page[page.index("<h2>Faults") :]
         # Sides change at half-time, so the robot alone does not show whose fault it was.
         assert [faults.count(f'href="/teams/{one.team_id}"') for one in (match.blue, match.yellow)] == [1, 1]
+
+
+def test_fault_is_in_a_period_by_its_name(site: SiteConfig) -> None:
+    match = make_match(site, handed_in(1), handed_in(2))
+    kept = match_folder(site.folder) / "scenarios" / f"{match.basis.scenario}.json"
+    for called, name in ((None, "half"), ("round", "round"), (["inning", "innings"], "inning")):
+        kept.parent.mkdir(exist_ok=True)
+        kept.write_text(json.dumps({"match": {"called": called}}), encoding="utf-8")
+        page = new_client().get(f"/matches/{match.pk}").content.decode()
+        assert page.count(f"{name} 1, 0:00.1") == 2
 
 
 def test_table_is_computed_anew_only_after_a_change(ladder: list[Submission], monkeypatch: pytest.MonkeyPatch) -> None:

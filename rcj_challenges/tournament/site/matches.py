@@ -204,7 +204,7 @@ def _plot(season: Season, match: MatchView, replay: ReplayData | None) -> Markup
         changes = [(0, half["scores"]), *half["score_changes"]]
         scores = [(s_from_ticks(tick), [own.get(seat, 0) for seat in seats]) for tick, own in changes]
         halves.append((s_from_ticks(half["ticks"]), scores))
-    return score_plot([season.label(side.teams) for side in match.fixture.sides], halves)
+    return score_plot([season.label(side.teams) for side in match.fixture.sides], halves, match.period)
 
 
 def _halves(match: MatchView, result: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -224,9 +224,10 @@ def _halves(match: MatchView, result: Mapping[str, Any]) -> list[dict[str, Any]]
 def _faults(season: Season, match: MatchView, result: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return the faults of programs, by kind only."""
     sides = {side.seat: season.label(side.teams) for side in match.fixture.sides}
+    period = match.period
     return [
         {
-            "when": fault_moment(fault),
+            "when": fault_moment(fault, period),
             "robot": fault["robot"],
             "side": sides.get(fault.get("team") or "", ""),
             "words": fault_words(fault["kind"]),

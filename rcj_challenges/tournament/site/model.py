@@ -9,9 +9,11 @@ from datetime import UTC, datetime
 from functools import cached_property
 from typing import Any
 
-from rcj_challenges.core.amounts import measured_words, number_words
+from rcj_challenges.core.amounts import HALF, measured_words, number_words
 from rcj_challenges.core.files import slug
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.records.folder import SCENARIO
+from rcj_challenges.records.recorded_scenario import read_period
 from rcj_challenges.tournament.played import PlayedMatch
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState, humanized
 from rcj_challenges.tournament.site.public import fault_counts
@@ -45,6 +47,12 @@ class MatchView:
     at: datetime | None
     slug: str
     premiere: bool = False
+
+    @property
+    def period(self) -> str:
+        """What a half of it is called."""
+        record = None if self.played is None else self.played.record
+        return HALF.one if record is None else read_period(record / SCENARIO)
 
     @property
     def short_title(self) -> str:

@@ -17,7 +17,9 @@ _MAX_LABEL_CHARACTERS = 16
 _MAX_TICKS_Y = 5
 
 
-def score_plot(names: Sequence[str], halves: Sequence[tuple[float, Sequence[tuple[float, Sequence[float]]]]]) -> Markup:
+def score_plot(
+    names: Sequence[str], halves: Sequence[tuple[float, Sequence[tuple[float, Sequence[float]]]]], period: str
+) -> Markup:
     """Return a picture of the score of two sides over time.
 
     Each half has its length in s, and (time in s, scores of both sides) from each change on; the first at 0.
@@ -45,7 +47,8 @@ def score_plot(names: Sequence[str], halves: Sequence[tuple[float, Sequence[tupl
                 f'<line class="cut" x1="{x(begin_s):.1f}" x2="{x(begin_s):.1f}" y1="{top - 4}" y2="{bottom}"/>'
             )
         middle = x(begin_s + length_s / 2)
-        parts.append(f'<text class="axis" x="{middle:.1f}" y="{bottom + 15}" text-anchor="middle">half {number}</text>')
+        label = escape(f"{period} {number}")
+        parts.append(f'<text class="axis" x="{middle:.1f}" y="{bottom + 15}" text-anchor="middle">{label}</text>')
         begin_s += length_s
     for side in range(len(names)):
         path, begin_s = "", 0.0

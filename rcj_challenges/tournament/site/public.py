@@ -15,11 +15,11 @@ from rcj_challenges.views.sentences import clock
 
 FAULT_WORDS = {
     "crash": "crashed",
-    "exit": "ended before the half was over",
+    "exit": "ended too early",
     "start": "could not be started",
     "start_timeout": "took too long to start",
     "step_timeout": "took too long for one step",
-    "half_timeout": "took too much time in a half",
+    "half_timeout": "took too much time altogether",
     "memory": "used too much memory",
     "protocol": "sent something that is not understood",
     "output_flood": "printed too much",
@@ -40,9 +40,9 @@ def fault_words(kind: str) -> str:
     return FAULT_WORDS.get(kind, kind.replace("_", " "))
 
 
-def fault_moment(fault: Mapping[str, Any]) -> str:
+def fault_moment(fault: Mapping[str, Any], period: str) -> str:
     """Return ``half 1, 0:09.6``; empty if the record is damaged."""
-    return f"half {fault['half']}, {clock(s_from_ticks(fault['tick']))}" if "tick" in fault else ""
+    return f"{period} {fault['half']}, {clock(s_from_ticks(fault['tick']))}" if "tick" in fault else ""
 
 
 def public_result(result: Mapping[str, Any]) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from django.views.decorators.http import require_GET, require_POST
 from rcj_challenges.records.folder import LOGS, REPLAY, RESULT
 from rcj_challenges.web import jobs, seasons, stage
 from rcj_challenges.web.accounts import Viewer, viewer_of
-from rcj_challenges.web.blobs import record_folder
+from rcj_challenges.web.blobs import match_folder, record_folder
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Job, JobState, Match, MatchKind, Season, State, Submission, Team
 from rcj_challenges.web.pages import message_page, page
@@ -85,8 +85,17 @@ def match(request: HttpRequest, pk: int) -> HttpResponse:
     again = Job.objects.filter(key=f"again/{pk}").exclude(state=JobState.DONE).first()
     record = record_folder(current_site().folder, found)
     values: dict[str, Any] = {"match": found, "own": own, "again": again, "has_replay": (record / REPLAY).is_file(),
-              "logs": sorted(_own_logs(record, own)), "can_repeat": _can_repeat(found)}  # fmt: skip
+              "logs": sorted(_own_logs(record, own)), "can_repeat": _can_repeat(found),
+              "period": _period(found)}  # fmt: skip
     return page(request, "match.html", viewer, **values)
+
+
+def _period(found: Match) -> str:
+    """What a half is called in the scenario of a match."""
+    from rcj_challenges.records.recorded_scenario import read_period  # noqa: PLC0415 - loads the code of scenarios
+
+    scenario = match_folder(current_site().folder) / "scenarios" / f"{found.basis.scenario}.json"
+    return read_period(scenario) if found.faults else ""
 
 
 def _can_repeat(found: Match) -> bool:
