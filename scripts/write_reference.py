@@ -330,9 +330,9 @@ def page() -> str:
     for name in ("params", "groups"):
         example = next(one for one in examples if name in one.words)
         lines += [f"\nAn example of `{name}`:\n", "```yaml", example.text.rstrip(), "```"]
+    shown: dict[str, str] = {}
     for chapter in CHAPTERS:
         lines += [f"\n## {chapter.title}\n", chapter.about]
-        shown: dict[str, str] = {}
         for word in chapter.words:
             heading = f"{word.name} (value)" if chapter.title == "Values" else word.name
             lines += [f"\n### {heading}\n", sentence_of(word.model) + "\n", *_table(word.model, chapter.tag)]
@@ -340,9 +340,10 @@ def page() -> str:
             if example is None:
                 continue
             if example.text in shown:
-                lines.append(f"\nSee the example of `{shown[example.text]}`.")
+                lines.append(f"\nSee the example of {shown[example.text]}.")
             else:
-                shown[example.text] = word.name
+                anchor = re.sub(r"[^a-z_ -]", "", heading).replace(" ", "-")
+                shown[example.text] = f"[`{word.name}`](#{anchor})"
                 lines += ["\n```yaml", example.text.rstrip(), "```"]
     return "\n".join(lines) + "\n"
 

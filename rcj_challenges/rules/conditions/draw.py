@@ -8,7 +8,7 @@ from rcj_challenges.rules.fields import Name, Scalar, described
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import DRAW, DrawnValue
 from rcj_challenges.rules.values import Amount
-from rcj_challenges.rules.values.draw import NumberDraw
+from rcj_challenges.rules.values.draw import DrawValue, NumberDraw
 
 _BOUNDS = ("at_least", "at_most", "above", "below")
 _NumberIs = comparison_of(NumberDraw)
@@ -31,25 +31,7 @@ class DrawIs(Condition):
     KEY = "draw"
     EXCLUDES = Compared.EXCLUDES
     REQUIRES = Compared.REQUIRES
-    EXAMPLE = """
-draws:
-  target: {values: [blue_goal, yellow_goal], not_last: true}
-rules:
-  hit_blue:
-    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{draw: target, equals: blue_goal}]
-    actions:
-      - {action: score, entrant: yellow}
-      - {action: draw, draw: target}
-      - {action: emit, event: NEXT_TARGET, payload: {target: {draw: target}}}
-expect:
-  then_the_other_one_is_drawn:
-    draws: {target: blue_goal}
-    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
-    lasts_s: 2
-    events: [{event: NEXT_TARGET, payload: {target: yellow_goal}}]
-    score: {yellow: 1}
-"""
+    EXAMPLE = DrawValue.EXAMPLE
     SENTENCE = "“blue goal” was drawn as “target”"
 
     def _bounded(self) -> Condition:

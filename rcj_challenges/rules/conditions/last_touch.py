@@ -6,6 +6,7 @@ from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE
 from rcj_challenges.rules.refs import ROBOTS, THING
+from rcj_challenges.rules.values.last_touch import LastTouchValue
 
 
 class LastTouchIs(Condition):
@@ -17,21 +18,7 @@ class LastTouchIs(Condition):
     KEY = "last_touch"
     ABOUT = "last_touch"
     NOTES = (LAST_TOUCH_NOTE,)
-    EXAMPLE = """
-rules:
-  own_goal:
-    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{last_touch: ball, equals: blue}]
-    actions: [{action: emit, event: OWN_GOAL}]
-expect:
-  the_last_one_counts:
-    keyframes:
-      - {at_s: 1, touch: [[Y1, ball]]}
-      - {at_s: 2, touch: [[B1, ball]]}
-      - {at_s: 3, place: {ball: [0, 0.8]}}
-    lasts_s: 4
-    events: [{event: OWN_GOAL}]
-"""
+    EXAMPLE = LastTouchValue.EXAMPLE
     SENTENCE = "the last to touch the ball was one of the blue robots"
 
     def test(self, to: Binder) -> Test:

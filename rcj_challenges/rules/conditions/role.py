@@ -6,6 +6,7 @@ from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Scalar, described
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import ROLE, DrawnValue
+from rcj_challenges.rules.values.role import RoleValue
 
 
 class RoleIs(Condition):
@@ -18,26 +19,7 @@ class RoleIs(Condition):
     )
 
     KEY = "role"
-    EXAMPLE = """
-roles: {hunter: {of: robots, order: listed, initial: none}}
-rules:
-  first:
-    for_each: robots
-    triggers: [{trigger: touches, entity: each, other: ball}]
-    conditions: [{role: hunter, equals: none}]
-    actions: [{action: assign, role: hunter, to: each}]
-  again:
-    priority: 1
-    for_each: robots
-    triggers: [{trigger: touches, entity: each, other: ball}]
-    conditions: [{role: hunter, equals: each}]
-    actions: [{action: score, entrant: each}]
-expect:
-  the_first_to_touch_the_ball_gets_points_for_it:
-    keyframes: [{at_s: 1, touch: [[Y2, ball]]}, {at_s: 2, touch: [[B1, ball]]}, {at_s: 3, touch: [[Y2, ball]]}]
-    lasts_s: 4
-    score: {yellow: 2, blue: 0}
-"""
+    EXAMPLE = RoleValue.EXAMPLE
     SENTENCE = "nothing is “hunter”"
 
     def test(self, to: Binder) -> Test:

@@ -16,29 +16,7 @@ class ToldIs(Compared, Message, ReportedValue):
     VALUE = ReportedValue
     REQUIRES = ()
     EXCLUDES = (*Compared.EXCLUDES, ("text", ("at_least", "at_most", "above", "below", "equals")))
-    EXAMPLE = """
-# A question with a number as its answer: the right one gives 5 points, any other costs one.
-draws: {number: {values: [1, 2, 3]}}
-rules:
-  right:
-    for_each: robots
-    triggers: [{trigger: tells, entity: each, text: {draw: number}}]
-    actions: [{action: score, entrant: each, points: 5}]
-  wrong:
-    for_each: robots
-    triggers: [{trigger: tells, entity: each}]
-    conditions: [{told: each, text: {draw: number}, negate: true}]
-    actions:
-      - {action: score, entrant: each, points: -1}
-      - {action: emit, event: WRONG, payload: {robot_name: {word: robot_name}, told: {told: each}}}
-expect:
-  a_wrong_answer_and_a_right_one:
-    draws: {number: 3}
-    keyframes: [{at_s: 1, tells: {B1: 2}}, {at_s: 2, tells: {B1: 3}}]
-    lasts_s: 3
-    score: {blue: 4}
-    events: [{event: WRONG, payload: {robot_name: B1, told: "2"}}]
-"""
+    EXAMPLE = ReportedValue.EXAMPLE
     SENTENCE = "it does not have what was drawn as “number” as its last message to the referee"
 
     def test(self, to: Binder) -> Test:

@@ -22,20 +22,24 @@ class DrawValue(NumberValue):
 
     KEY = "draw"
     EXAMPLE = """
-draws: {target: {values: [left, right]}, bonus: {values: [5, 10]}}
+draws:
+  target: {values: [blue_goal, yellow_goal], not_last: true}
+  bonus: {values: [5, 10]}
 rules:
-  goal:
+  hit_blue:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{draw: target, equals: blue_goal}]
     actions:
       - {action: score, entrant: yellow, points: {draw: bonus}}
-      - {action: emit, event: GOAL, payload: {target: {draw: target}}}
+      - {action: draw, draw: target}
+      - {action: emit, event: NEXT_TARGET, payload: {target: {draw: target}}}
 expect:
-  ten_for_the_right_one:
-    draws: {target: right, bonus: 10}
+  then_the_other_one_is_drawn:
+    draws: {target: blue_goal, bonus: 10}
     keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
     lasts_s: 2
+    events: [{event: NEXT_TARGET, payload: {target: yellow_goal}}]
     score: {yellow: 10}
-    events: [{event: GOAL, payload: {target: right}}]
 """
     SENTENCE = "what was drawn as “bonus”"
 

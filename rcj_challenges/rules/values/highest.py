@@ -18,18 +18,24 @@ class HighestValue(FoldedValue):
     EXAMPLE = """
 counters: {laps: {per: robots}}
 rules:
-  signal:
+  most:
     for_each: robots
     triggers: [{trigger: time_reached, at_s: 2}]
-    conditions:
-      - {counter: laps, entity: each, at_least: {highest: {counter: laps, entity: others}}}
+    conditions: [{counter: laps, entity: each, at_least: {highest: {counter: laps, entity: others}}}]
     actions: [{action: emit, event: FIRST, payload: {robot_name: {word: robot_name}}}]
+  # If several tie for last, all of them are.
+  fewest:
+    for_each: robots
+    triggers: [{trigger: time_reached, at_s: 2}]
+    conditions: [{counter: laps, entity: each, at_most: {lowest: {counter: laps, entity: others}}}]
+    actions: [{action: emit, event: LAST, payload: {robot_name: {word: robot_name}}}]
 expect:
-  the_robot_with_the_most_laps_is_first:
-    given: {counters: {laps: {B1: 2, B2: 2, B3: 2, Y1: 2, Y2: 3, Y3: 2}}}
+  the_most_laps_are_first_and_the_fewest_last:
+    # What is kept for several can be listed one by one; `laps: 2` would be the number of each.
+    given: {counters: {laps: {B1: 2, B2: 2, B3: 2, Y1: 1, Y2: 3, Y3: 2}}}
     keyframes: [{at_s: 1}]
     lasts_s: 3
-    events: [{event: FIRST, payload: {robot_name: Y2}}]
+    events: [{event: FIRST, payload: {robot_name: Y2}}, {event: LAST, payload: {robot_name: Y1}}]
 """
     SENTENCE = "the highest counter “laps” of all others on the field"
 

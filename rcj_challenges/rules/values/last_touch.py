@@ -18,14 +18,18 @@ class LastTouchValue(ValueWord):
     NOTES = (LAST_TOUCH_NOTE,)
     EXAMPLE = """
 rules:
-  goal:
+  own_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    actions: [{action: emit, event: GOAL, payload: {by: {last_touch: ball}}}]
+    conditions: [{last_touch: ball, equals: blue}]
+    actions: [{action: emit, event: OWN_GOAL, payload: {by: {last_touch: ball}}}]
 expect:
-  it_was_y3:
-    keyframes: [{at_s: 1, place: {ball: [0, 0.6]}, touch: [[Y3, ball]]}, {at_s: 2, move: {ball: [0, 0.8]}}]
-    lasts_s: 3
-    events: [{event: GOAL, payload: {by: Y3}}]
+  the_last_one_counts:
+    keyframes:
+      - {at_s: 1, touch: [[Y1, ball]]}
+      - {at_s: 2, touch: [[B1, ball]]}
+      - {at_s: 3, place: {ball: [0, 0.8]}}
+    lasts_s: 4
+    events: [{event: OWN_GOAL, payload: {by: B1}}]
 """
     SENTENCE = "the name of the last to touch the ball"
 

@@ -25,27 +25,29 @@ class ReportedValue(NumberValue):
     OVER = "told"
     READS_MESSAGES = True
     EXAMPLE = """
-# A wager: the goal pays as many points as the robot announced beforehand.
-counters: {wager: {}}
+# A question with a number as its answer: the right one gives 5 points, any other costs as many as it says.
+draws: {number: {values: [1, 2, 3]}}
 rules:
-  wagered:
-    triggers: [{trigger: tells, entity: Y1, text: [1, 2, 3], is_a: number}]
-    actions: [{action: count, counter: wager, to: {told: Y1}}]
-    says: "{entity} wagers {measured}."
-  goal:
-    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+  right:
+    for_each: robots
+    triggers: [{trigger: tells, entity: each, text: {draw: number}}]
+    actions: [{action: score, entrant: each, points: 5}]
+  wrong:
+    for_each: robots
+    triggers: [{trigger: tells, entity: each}]
+    conditions: [{told: each, text: {draw: number}, negate: true}]
     actions:
-      - {action: score, entrant: yellow, points: {counter: wager, plus: 1}}
-      - {action: emit, event: GOAL, payload: {told: {told: Y1}}}
+      - {action: score, entrant: each, points: {told: each, times: -1}}
+      - {action: emit, event: WRONG, payload: {robot_name: {word: robot_name}, told: {told: each}}}
 expect:
-  three_and_one_are_four_points:
-    # A number that is too high is received, but does not match this rule.
-    keyframes: [{at_s: 1, tells: {Y1: 3}}, {at_s: 2, tells: {Y1: 100}}, {at_s: 3, place: {ball: [0, 0.8]}}]
-    lasts_s: 4
-    score: {yellow: 4}
-    events: [{event: GOAL, payload: {told: "100"}}]
+  a_wrong_answer_and_a_right_one:
+    draws: {number: 3}
+    keyframes: [{at_s: 1, tells: {B1: 2}}, {at_s: 2, tells: {B1: 3}}]
+    lasts_s: 3
+    score: {blue: 3}
+    events: [{event: WRONG, payload: {robot_name: B1, told: "2"}}]
 """
-    SENTENCE = "what Y1 has told the referee last"
+    SENTENCE = "what it has told the referee last"
 
     def now(self, to: Scope) -> Callable[[], str | None]:
         messages, robot = to.state.messages, to.members(self.told)[0]

@@ -16,18 +16,27 @@ class RoleValue(ValueWord):
 
     KEY = "role"
     EXAMPLE = """
-roles: {wanted: {of: neutral_spots, order: listed, cyclic: true}}
+roles: {hunter: {of: robots, order: listed, initial: none}}
 rules:
-  found:
-    triggers: [{trigger: holds, conditions: [{distance: [Y1, wanted], below: 0.1}]}]
-    actions: [{action: emit, event: FOUND, payload: {at: {role: wanted}}}, {action: assign, role: wanted}]
+  first:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: ball}]
+    conditions: [{role: hunter, equals: none}]
+    actions: [{action: assign, role: hunter, to: each}, {action: emit, event: FIRST, payload: {hunter: {role: hunter}}}]
+  again:
+    priority: 1
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: ball}]
+    conditions: [{role: hunter, equals: each}]
+    actions: [{action: score, entrant: each}]
 expect:
-  the_first_is_the_centre:
-    keyframes: [{at_s: 1, place: {Y1: [0, 0]}}]
-    lasts_s: 2
-    events: [{event: FOUND, payload: {at: centre}}]
+  the_first_to_touch_the_ball_gets_points_for_it:
+    keyframes: [{at_s: 1, touch: [[Y2, ball]]}, {at_s: 2, touch: [[B1, ball]]}, {at_s: 3, touch: [[Y2, ball]]}]
+    lasts_s: 4
+    score: {yellow: 2, blue: 0}
+    events: [{event: FIRST, payload: {hunter: Y2}}]
 """
-    SENTENCE = "the name of “wanted”"
+    SENTENCE = "the name of “hunter”"
 
     def now(self, to: Scope) -> Callable[[], Scalar | None]:
         draws, name = to.state.draws, self.role
