@@ -15,7 +15,7 @@ from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
-from rcj_challenges.scenario.models.field import Obstacle, Wall
+from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS, as_tuple
@@ -176,7 +176,13 @@ class NameScope:
         return regions[0] if len(regions) == 1 else AnyOf(regions)
 
     def _decided(self, draw: str, resolve: Callable[[str], _T]) -> Callable[[], _T]:
-        """Return a function that finds among what a draw may decide, each resolved once, what it has decided."""
+        """Return a function that finds among what a draw may decide, each resolved once, what it has decided.
+
+        Another name stands for itself.
+        """
+        if draw not in self.roster.drawn:
+            named = resolve(draw)
+            return lambda: named
         draws, found = self.state.draws, {one: resolve(one) for one in self.roster.drawn[draw]}
         return lambda: found[str(draws[draw])]
 
@@ -223,11 +229,8 @@ class NameScope:
         return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
 
     def spot(self, name: str) -> Callable[[], Point]:
-        spots, draws = self.state.spots, self.state.draws
-        if name in self.scenario.draws and name not in spots:
-            return lambda: spots[self.spot_name(draws[name])]
-        spot = self.spot_name(name)
-        return lambda: spots[spot]
+        spots, decided = self.state.spots, self._decided(name, self.spot_name)
+        return lambda: spots[decided()]
 
     def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
         spots, members = self.state.spots, self.members(names)
@@ -240,11 +243,7 @@ class NameScope:
         if isinstance(what, tuple):
             point = Anchor(lambda _board: what)
             return lambda: point
-        member = self.members(what)[0]
-        if member in self.roster.drawn:
-            return self._decided(member, self._one_anchor)
-        anchor = self._one_anchor(member)
-        return lambda: anchor
+        return self._decided(self.members(what)[0], self._one_anchor)
 
     def places(self, what: Names | Point) -> Callable[[Poses, int | None], list[Point]]:
         if isinstance(what, tuple) and not isinstance(what[0], str):
@@ -282,9 +281,6 @@ class NameScope:
         index = self.roster.index.get(name, len(self.state.present))
         return index >= len(self.state.present) or self.state.present[index]
 
-    def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        return self._read(self.members(name)[0], self._one_pose)
-
     def _read(self, name: str, resolve: Callable[[str], Callable[[], _T]]) -> Callable[[], _T]:
         """Return a function that reads something of a name; of a draw's name, of what it has decided."""
         if name not in self.roster.drawn:
@@ -292,26 +288,16 @@ class NameScope:
         decided = self._decided(name, resolve)
         return lambda: decided()()  # noqa: PLW0108 - which one is known when it is called
 
-    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
+    def locate(self, what: Name | Point) -> Callable[[], tuple[float, ...] | None]:
         if isinstance(what, tuple):
             return lambda: what
         return self._read(self.members(what)[0], self._locate_one)
 
-    def _locate_one(self, name: str) -> Callable[[], Point | None]:
-        zone = self.scenario.zones.get(name)
+    def _locate_one(self, name: str) -> Callable[[], tuple[float, ...] | None]:
+        state, roster, zone = self.state, self.roster, self.scenario.zones.get(name)
         if zone is not None:
             centre = centre_of(zone)
             return lambda: centre
-        read_pose = self._one_pose(name)
-
-        def locate() -> Point | None:
-            pose = read_pose()
-            return None if pose is None else (pose[0], pose[1])
-
-        return locate
-
-    def _one_pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        state, roster = self.state, self.roster
         if name in state.spots:
             return lambda: state.spots[name]
         index = self.thing(name)
@@ -335,7 +321,7 @@ def _targets_of(named: Names | Point, scope: NameScope) -> tuple[Target, ...]:
     """
     if isinstance(named, tuple) and not isinstance(named[0], str):
         x_m, y_m = named
-        return (_standing(lambda: (x_m, y_m)),)
+        return (_at(lambda: (x_m, y_m)),)
     found: list[Target] = []
     for name in scope.members(named):
         among = scope.roster.drawn.get(name)
@@ -355,51 +341,26 @@ def _if_drawn(draw: str, name: str, scope: NameScope) -> Target:
 
 
 def _target(name: str, scope: NameScope) -> Target:
-    scenario, state = scope.scenario, scope.state
-    if name in scope.roster.entities:
-        return _entity(scope.roster.index[name], scope)
+    """Return a thing or a spot by its centre, a wall by its middle line, a zone or a gate by its nearest point."""
+    scenario, index = scope.scenario, scope.roster.index.get(name, len(scope.roster.entities))
     if name in scenario.zones:
         zone = scope.zone(name)
         return Target(zone.away_m, None, next(iter(zone.anchors), None))
     if name in scenario.gates:
         gate = scope.gate(name)
         return Target(gate.distance_m, None, gate.anchor)
-    if name in scenario.obstacles:
-        return _fixed(scenario.obstacles[name])
-    spot = scope.spot_name(name)
-    return _standing(lambda: state.spots[spot])
-
-
-def _fixed(obstacle: Obstacle) -> Target:
-    """Return an obstacle that stands fast: its centre, as of one that can move; of a wall the line in its middle."""
-    if isinstance(obstacle, Wall):
-        ends = (*obstacle.from_m, *obstacle.to_m)
+    if isinstance(wall := scenario.obstacles.get(name), Wall):
+        ends = (*wall.from_m, *wall.to_m)
         return Target(lambda x_m, y_m: distance_to_segment_m(x_m, y_m, *ends), None)
-    centre = obstacle.centre_m
-    return _standing(lambda: centre)
+    return _at(scope.locate(name), index if index < len(scope.roster.entities) else None)
 
 
-def _entity(index: int, scope: NameScope) -> Target:
-    state = scope.state
-
-    def place() -> Point | None:
-        return state.poses[index][:2] if state.present[index] else None
-
+def _at(place: Callable[[], tuple[float, ...] | None], entity: int | None = None) -> Target:
     def away_m(x_m: float, y_m: float) -> float | None:
-        if not state.present[index]:
-            return None
-        px, py, _ = state.poses[index]
-        return sqrt((x_m - px) ** 2 + (y_m - py) ** 2)
+        at = place()
+        return None if at is None else sqrt((x_m - at[0]) ** 2 + (y_m - at[1]) ** 2)
 
-    return Target(away_m, place, index)
-
-
-def _standing(place: Callable[[], Point]) -> Target:
-    def away_m(x_m: float, y_m: float) -> float:
-        px, py = place()
-        return sqrt((x_m - px) ** 2 + (y_m - py) ** 2)
-
-    return Target(away_m, place)
+    return Target(away_m, place, entity)
 
 
 if TYPE_CHECKING:

@@ -68,8 +68,11 @@ class Scope(Protocol):
     def region(self, names: Names) -> "Region":
         """Return the region of a zone, or of several zones taken as one."""
 
-    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
-        """Return a function that finds a thing, a spot, a zone's centre or a point; None while it is off the field."""
+    def locate(self, what: Name | Point) -> Callable[[], tuple[float, ...] | None]:
+        """Return a function that finds the pose [x, y, yaw] of a thing, [x, y] of a spot, a zone's centre or a point.
+
+        None while it is off the field.
+        """
 
     def start_of(self, entity: int) -> StartPose:
         """Return the start of an entity."""
@@ -120,9 +123,6 @@ class Scope(Protocol):
 
     def is_present(self, name: str) -> bool:
         """Return whether something is on the field now; what is no entity always is."""
-
-    def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        """Return a function that reads the pose [x, y, yaw], of a spot [x, y]; None while it is off the field."""
 
     def targets(self, named: Names | Point) -> tuple[Target, ...]:
         """Return the target of a distance: what a name stands for, or a point."""

@@ -103,7 +103,7 @@ def looks_at(to: Scope, looks: Any, within_rad: float) -> Fact:
         x, y, yaw = state.poses[entity]
         at = locate() if state.present[entity] else None
         # Nothing looks at itself, also if it is what was drawn.
-        return at is not None and at != (x, y) and _is_near(atan2(at[1] - y, at[0] - x) - yaw, within_rad)
+        return at is not None and at[:2] != (x, y) and _is_near(atan2(at[1] - y, at[0] - x) - yaw, within_rad)
 
     return looks_there
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-_Point = tuple[float, float]
-
 
 @dataclass(frozen=True)
 class Target:
@@ -14,13 +12,13 @@ class Target:
 
     Attributes:
         away_m: returns how far the point (x, y) is from it now, in m; None while it is off the field.
-        place: returns where it is now, None while it is off the field; itself None of a zone, a gate or a wall,
-            which is no point, and from which nothing is measured.
+        place: returns where it is now, x and y first, None while it is off the field; itself None of a zone, a gate or
+            a wall, which is no point, and from which nothing is measured.
         entity: the index of the entity that it is, or with which it moves; None of what belongs to none.
     """
 
     away_m: Callable[[float, float], float | None]
-    place: Callable[[], _Point | None] | None
+    place: Callable[[], tuple[float, ...] | None] | None
     entity: int | None = None
 
     def is_with(self, entity: int | None) -> bool:

@@ -104,7 +104,7 @@ expect:
 
         return act
 
-    def _where(self, to: Binder) -> Callable[[], Point | None]:
+    def _where(self, to: Binder) -> Callable[[], tuple[float, ...] | None]:
         """Return a function that finds the place that the spot is set to; None if there is none at present."""
         match self.to:
             case SentPlace():

@@ -87,7 +87,7 @@ expect:
 
         def read() -> float | None:
             starts = ((place(), away_m) for place, away_m in pairs)
-            distances = (away_m(*start) for start, away_m in starts if start is not None)
+            distances = (away_m(start[0], start[1]) for start, away_m in starts if start is not None)
             return min((one for one in distances if one is not None), default=None)
 
         return read

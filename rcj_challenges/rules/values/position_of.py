@@ -34,7 +34,7 @@ expect:
     SENTENCE = "the position of the ball"
 
     def now(self, to: Scope) -> Callable[[], list[float] | None]:
-        locate = to.pose(self.position_of)
+        locate = to.locate(self.position_of)
 
         def read() -> list[float] | None:
             pose = locate()
