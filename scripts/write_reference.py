@@ -29,10 +29,8 @@ from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
 from rcj_challenges.rules.conditions.vocabulary import Alternative
-from rcj_challenges.rules.facing import Facing, Towards
 from rcj_challenges.rules.fields import NAME_RULE, Colour, DurationS, EventName, Name, Names, Point
-from rcj_challenges.rules.kick import Kick
-from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.placement import Facing, Kick, Mirror, Towards
 from rcj_challenges.rules.places import PLACES, At
 from rcj_challenges.rules.ranked import AnyRanked, Ranked
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger

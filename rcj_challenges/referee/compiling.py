@@ -13,7 +13,7 @@ from rcj_challenges.referee.placement import PlacementQueue, PlacementSpec
 from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import LONGEST_S
-from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.placement import Mirror
 from rcj_challenges.rules.values import Lasts, compile_duration
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Sequence

@@ -13,7 +13,7 @@ from rcj_challenges.core.play import Placement, Pose2
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.state import State, float32
-from rcj_challenges.rules.facing import RandomFacing, Towards, compile_facing
+from rcj_challenges.rules.placement import RandomFacing, Towards, compile_facing
 from rcj_challenges.tracking.bound_rules import BoundRule
 from rcj_challenges.tracking.places import CompiledFacing, CompiledKick, PlaceRequest, PlaceResolver, Point
 

@@ -7,9 +7,7 @@ from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 
 if TYPE_CHECKING:
     from rcj_challenges.rules.base import PlaceWord
-    from rcj_challenges.rules.facing import Facing
-    from rcj_challenges.rules.kick import Kick
-    from rcj_challenges.rules.mirror import Mirror
+    from rcj_challenges.rules.placement import Facing, Kick, Mirror
 
 
 @dataclass(frozen=True)

@@ -110,7 +110,7 @@ def alternatives(scenario: Scenario, effect: Places | PlacesLayout) -> list[list
     if isinstance(effect, Places):
         return [[effect]]
     layouts = (scenario.placements[name] for name in layouts_of(scenario, effect))
-    return [[places(one, one.entity, one.at, effect.mirror) for one in layout] for layout in layouts]
+    return [[places(one, effect.mirror) for one in layout] for layout in layouts]
 
 
 def names_other(rule: Rule, scenario: Scenario) -> bool:

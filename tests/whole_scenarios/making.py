@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 
 from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.conditions.any_of import AnyOf
-from rcj_challenges.rules.kick import DrawnSpeed
+from rcj_challenges.rules.placement import DrawnSpeed
 from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
 from rcj_challenges.rules.values.draw import DrawnDuration, NumberDraw
 from rcj_challenges.rules.values.number import NumberValue

@@ -4,36 +4,20 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.effects import Places, PlacesLayout
-from rcj_challenges.rules.facing import Facing
-from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.phrasing import WAITING_NOTE, quoted
-from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom, placement_words, places
-from rcj_challenges.rules.places import At
-from rcj_challenges.rules.refs import ENTITIES, SectionRef
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.placement import Placement, placement_words, places
+from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.rules.values.draw import DrawValue
 
 
-class Place(Action):
+class Place(Placement, Action):
     """Place entities: either a single placement or a layout, given by name."""
 
     action: Literal["place"]
     layout: Annotated[Name | DrawValue | None, SectionRef("layout", ("placements",))] = described(
         None, "a layout of `placements`, or {draw: NAME}, a draw whose values are layouts"
     )
-    entity: Annotated[Names | None, ENTITIES] = described(None, "what is placed: entities, groups, or each")
-    at: At | None = described(None, "where")
-    facing: Facing = described("start", "direction in which it faces afterwards")
-    noise_m: NoiseM = (0.0, 0.0)
-    mirror: Mirror | None = described(
-        None, "mirrors the place and the aim of a kick; with a layout: all its places and aims"
-    )
-    min_clearance_m: ClearanceM = 0.0
-    max_attempts: Attempts = 100
-    on_failure: WithoutRoom = "retry"
-    kick: Roll = None
-
-    NOTES = (WAITING_NOTE,)
     EXCLUDES = (("layout", ("entity", "at", "kick")),)
     REQUIRES = (("layout",), ("entity", "at"))
     EXAMPLE = """
@@ -59,14 +43,14 @@ expect:
         if self.layout is not None:
             jobs = to.layout_jobs(self.layout, self.mirror)
         else:
-            put = places(self, self.entity or (), self.at or "start")
+            put = places(self)
             jobs = [to.placement_job(put, entity) for entity in to.entities(put.names)]
         return lambda _firing: to.place(jobs)
 
     def effects(self) -> tuple[Places | PlacesLayout, ...]:
         match self.layout:
             case None:
-                return (places(self, self.entity or (), self.at or "start"),)
+                return (places(self),)
             case DrawValue(draw=draw):
                 return (PlacesLayout(draw, is_drawn=True, mirror=self.mirror),)
             case layout:

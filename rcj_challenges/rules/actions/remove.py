@@ -5,10 +5,9 @@ from typing import Annotated, Literal
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import Places, Removes
-from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import WAITING_NOTE
-from rcj_challenges.rules.placement import looks_words, put_words
+from rcj_challenges.rules.placement import Facing, looks_words, put_words
 from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Lasts, compile_duration, duration_words

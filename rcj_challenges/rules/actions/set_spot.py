@@ -7,7 +7,7 @@ from rcj_challenges.core.messages import position_in
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases, Word
 from rcj_challenges.rules.effects import SetsSpot
 from rcj_challenges.rules.fields import Name, Point, described
-from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.placement import Mirror
 from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.rules.places.point import AtPoint
 from rcj_challenges.rules.places.uniform_in import UniformIn

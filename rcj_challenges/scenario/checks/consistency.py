@@ -13,7 +13,7 @@ from rcj_challenges.rules.base import Condition, PlaceWord, Trigger
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.effects import AtTime, Draws, SetsSpot
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.kick import Kick
+from rcj_challenges.rules.placement import Kick
 from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario import codes

@@ -136,7 +136,7 @@ class NoRoom(LintRule, code="no-room"):
             [one] for name, rule in ctx.scenario.rules.items() for one in effects_in(name, rule, Places)
         ]
         groups += [
-            [(places(one, one.entity, one.at), ("placements", layout, index)) for index, one in enumerate(placings)]
+            [(places(one), ("placements", layout, index)) for index, one in enumerate(placings)]
             for layout, placings in ctx.scenario.placements.items()
         ]
         floor = Floor(ctx.scenario.field)

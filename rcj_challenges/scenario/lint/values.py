@@ -10,7 +10,7 @@ from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.kick import MAX_KICK_MPS
+from rcj_challenges.rules.placement import MAX_KICK_MPS
 from rcj_challenges.rules.values import longest_s
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.rules.values.speed import SpeedValue

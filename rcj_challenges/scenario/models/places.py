@@ -4,11 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Colour, Name, Names, Point, Positive, Strict, described
-from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.phrasing import WAITING_NOTE
-from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom
+from rcj_challenges.rules.placement import Placement
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import MEMBERS, MOVING, ONE_ENTITY, Ref
 
@@ -96,20 +93,11 @@ class Spot(_Drawn):
 # --- where things go ------------------------------------------------------------------------------------------------
 
 
-class Placing(Strict):
+class Placing(Placement):
     """How one or more entities are placed."""
-
-    NOTES = (WAITING_NOTE,)
 
     entity: Annotated[Names, MEMBERS] = described(..., "what is placed: entities or groups, one after the other")
     at: At = described(..., "where")
-    facing: Facing = described("start", "direction in which it faces afterwards")
-    noise_m: NoiseM = (0.0, 0.0)
-    mirror: Mirror | None = described(None, "mirrors the place and the aim of a kick")
-    min_clearance_m: ClearanceM = 0.0
-    max_attempts: Attempts = 100
-    on_failure: WithoutRoom = "retry"
-    kick: Roll = None
 
 
 Layout = Annotated[

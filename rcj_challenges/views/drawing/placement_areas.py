@@ -11,7 +11,7 @@ from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.base import PlaceWord
 from rcj_challenges.rules.effects import Places, PlacesLayout, Removes, SetsSpot
 from rcj_challenges.rules.fields import Names
-from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.placement import Mirror
 from rcj_challenges.rules.places import place_of
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.positions import start_noise_m, start_pose
