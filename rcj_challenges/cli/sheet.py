@@ -29,12 +29,14 @@ def sheet(
     ] = None,
     set_: Overrides = None,
 ) -> None:
-    """Write the rule sheet for the teams."""
+    """Write the rule sheet for the teams; of a preset, the page of all that sheets of what extends it leave out."""
     from rcj_challenges.scenario.load import load
+    from rcj_challenges.scenario.resources import names_in, presets_folder
     from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 
     check_ending(out, (".md", *_HTML), "its name must end in .md or .html")
-    loaded = load(scenario, set_ or [])
+    is_preset = str(scenario) in names_in(presets_folder())
+    loaded = load(presets_folder() / f"{scenario}.yaml" if is_preset else scenario, set_ or [])
     out = out or file_for_terminal(f"{loaded.scenario.id}.html")
     if out is None:
         deliver(sheet_markdown(loaded.scenario, loaded.roster), None)

@@ -29,7 +29,7 @@ from rcj_challenges.scenario.reading.params import apply_overrides, resolve_para
 from rcj_challenges.scenario.reading.repeating import merged, repeat_entries
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Mark, Step, check_size, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, check_size, plain
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,11 @@ def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
         ScenarioError: everything that is wrong with it.
     """
     path = find_scenario(source)
-    return _load(Source.of_file(path, str(source) if path == Path(source) else path.name), overrides, path.stem, path)
+    written = Source.of_file(path, str(source) if path == Path(source) else path.name)
+    extends = written.tree.entries.get("extends")
+    if path.suffix == ".json" and isinstance(extends, Leaf) and extends.value is None:  # a record's scenario.json
+        return load_resolved(plain(written.tree), overrides=overrides)
+    return _load(written, overrides, path.stem, path)
 
 
 def load_text(text: str, overrides: Sequence[str] = (), *, file: str = "scenario.yaml") -> Loaded:

@@ -126,3 +126,12 @@ def test_a_scenario_in_an_unreadable_folder_is_not_reported_as_missing(tmp_path,
     with pytest.raises(ScenarioError) as refused:
         load(theirs)
     assert [one.code for one in refused.value.diagnostics] == ["unreadable-file"]
+
+
+def test_the_scenario_of_a_record_is_loaded_as_a_file(tmp_path):
+    """Its ``extends: null`` says that all of its base is in it."""
+    played = load("slalom")
+    recorded = tmp_path / "scenario.json"
+    recorded.write_text(json.dumps(played.resolved), encoding="utf-8")
+    assert load(recorded).resolved == played.resolved
+    assert load(recorded, ["match.half_s=30"]).scenario.match.half_s == 30

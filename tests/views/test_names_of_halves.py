@@ -26,14 +26,17 @@ rules:
 
 def test_the_sheet_names_them_with_their_own_article_and_plural():
     text = sheet(BASEBALL + RULES)
-    assert "9 innings of 60 s; the teams change sides between innings. An inning begins in the phase" in text
+    assert "9 innings of 60 s; the teams change sides between innings." in text
     assert "When an inning starts, or when an inning is over, provided that it is inning 2 or a later one" in text
     assert "at most once an inning" in text
-    assert "5 legs of 60 s. A leg begins" in sheet(DARTS)
+    assert "5 legs of 60 s." in sheet(DARTS)
+    assert "A leg begins in the phase “pause”" in sheet(
+        f"{DARTS}phases: {{pause: {{lasts_s: 2}}}}\nfirst_phase: pause\n"
+    )
 
 
 def test_a_half_that_has_no_name_is_a_half():
-    assert "2 halves of 60 s. A half begins" in sheet("match: {halves: 2, half_s: 60}\n")
+    assert "2 halves of 60 s." in sheet("match: {halves: 2, half_s: 60}\n")
 
 
 def test_the_terminal_names_them():

@@ -1,6 +1,7 @@
 """What is on the rule sheet, and where."""
 
 import re
+from collections import Counter
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -8,10 +9,12 @@ import pytest
 
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
+from rcj_challenges.views.sheet.page import sheet_of
 from tests.views.sheets import HEAD, section, sheet
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = sorted((ROOT / "scenarios").rglob("*.yaml"))
+RECIPES = sorted((ROOT / "docs" / "recipes").glob("*.yaml"))
 IT = "triggers: [{trigger: half_started}]"
 END = "actions: [{action: end}]"
 RULE = f"rules: {{it: {{{IT}, {END}}}}}\n"
@@ -63,7 +66,7 @@ def test_rows_of_markdown_tables_have_as_many_cells_as_their_heads():
     loaded = load("match")
     text = sheet_markdown(loaded.scenario, loaded.roster, "")
     tables = [block.splitlines() for block in text.split("\n\n") if block.startswith("|")]
-    assert len(tables) > 4
+    assert len(tables) == 2
     for head, *rows in tables:
         assert {row.replace("\\|", "").count("|") for row in rows} == {head.count("|")}
 
@@ -75,7 +78,7 @@ def test_players_read_description_scoring_and_what_rules_say_before_the_appendix
     loaded = load("match")
     text = sheet_markdown(loaded.scenario, loaded.roster, "").replace("\\", "")
     lead, _, appendix = text.partition("\n## Appendix")
-    assert re.findall("^## (.*)$", lead, re.MULTILINE) == ["The match", "Scoring", "Rules", "What to hand in"]
+    assert re.findall("^## (.*)$", lead, re.MULTILINE) == ["How to win", "Scoring", "Rules", "Field", "Programs"]
     assert loaded.scenario.rules["kickoff_blue"].says in section(lead, "Rules")
     assert "[kickoff_blue]" not in lead
     assert "[kickoff_blue] When" in appendix
@@ -92,7 +95,7 @@ def test_rule_with_sheet_false_is_nowhere_on_it():
     surprise = "actions: [{action: score, entrant: blue, points: 7}, {action: emit, event: SURPRISE}], says: A gift."
     shown = sheet(f"rules: {{surprise: {{{IT}, {surprise}}}}}\n")
     assert "[surprise]" in shown
-    assert "| A gift. | blue | 7 |" in shown
+    assert "| A gift. | 7 for blue |" in shown
     hidden = sheet(f"rules: {{surprise: {{{IT}, {surprise}, sheet: false}}}}\n")
     assert not re.search("surprise|gift|7 points", hidden, re.IGNORECASE)
 
@@ -115,12 +118,70 @@ def test_limits_phases_and_exclusions_of_a_rule_stand_with_it():
     assert "Of [a] and [b] only the first" in text
 
 
+@pytest.mark.parametrize("path", [*SHIPPED, *RECIPES], ids=lambda path: path.stem)
+def test_no_sentence_is_on_a_sheet_twice(path, without_drawing):
+    loaded = load(path)
+    page = sheet_of(loaded.scenario, loaded.roster)
+    texts = [page.description]
+    for block in (block for part in (*page.lead, *page.appendix) for block in part.blocks):
+        texts += [block] if isinstance(block, str) else getattr(block, "entries", ())
+        texts += [row[0] for row in getattr(block, "rows", ()) if " " in row[0]]
+    found = Counter(one for text in texts for one in re.split(r"(?<=[.!?]) ", text))
+    assert [one for one, times in found.items() if times > 1] == []
+
+
+def test_rules_that_are_worded_alike_are_in_full_once():
+    rule = "triggers: [{{trigger: enters, entity: ball, zone: {0}_goal}}], actions: [{{action: score, entrant: {0}, points: {1}}}]"
+    both = [f"{one}: {{{rule.format(one, points)}}}" for one, points in (("blue", 2), ("yellow", 3))]
+    lines = section(sheet(f"rules: {{{', '.join(both)}}}\n"), "Rules in full").splitlines()
+    assert lines[-1] == "2. [yellow] As [blue], with yellow for blue; 3 for 2."
+
+
+# --- the appendix and the page of a preset ------------------------------------------------------------------------------
+
+
+def test_the_appendix_has_what_the_preset_has_not_and_what_is_missing():
+    changes = """
+balls: {ball: {mass_kg: 0.06}, red: {start_m: [0.3, 0]}}
+robots: {Y3: null, Y1: {without: [gps], start: {x_m: 0.2}}}
+entrants: {yellow: {robots: {Y3: null}}}
+"""
+    text = sheet(changes + RULE).partition("# Appendix")[2]
+    assert [line for line in text.splitlines() if line.startswith("| ") and "---" not in line] == [
+        "| ball | start | diameter | mass | sends infra-red |",
+        "| ball | (0, 0) | 4.2 cm | 0.06 kg | yes |",
+        "| red | (0.3, 0) | 4.2 cm | 0.05 kg | yes |",
+        "| robot | colour | program | kit | start (x, y in m) |",
+        "| Y1 | yellow | of yellow | v2 | (0.2, -0.3), ± 7.5 cm in x, ± 7.5 cm in y, facing 90° counter-clockwise from +x |",
+        "| device of v2 | robots | what it is |",
+        "| gps | B1, B2, B3, Y2 | position of the robot |",
+        "| ball receiver | all | infra-red receiver of all balls, up to 0.6 m |",
+    ]  # fmt: skip
+    assert "Not here: Y3." in text
+    assert "rcj-challenge sheet soccersim_v2" in text
+
+
+@pytest.mark.parametrize(("base", "text"), [("soccersim_2021", RULE), ("empty_field", RULE), ("soccersim_v2", RULE)])
+def test_the_base_is_the_preset_that_leaves_least_to_say(base, text):
+    loaded = load_text(HEAD.replace("soccersim_v2", base) + text)
+    assert sheet_of(loaded.scenario, loaded.roster).base == base
+
+
+def test_the_page_of_a_preset_has_all_of_it_and_how_rules_are_judged():
+    titles = re.findall("^## (.*)$", sheet(""), re.MULTILINE)
+    assert titles == [
+        "The match", "Field", "Programs", "Field in full", "Robots", "What programs receive", "How rules are judged",
+        "Limits of programs",
+    ]  # fmt: skip
+    assert "Zones that are named together count as one" in section(sheet(""), "How rules are judged")
+
+
 # --- scoring ----------------------------------------------------------------------------------------------------------
 
 
 def test_rules_that_give_no_points_are_not_ranked_unless_the_scenario_says_how():
     assert section(sheet(RULE), "Scoring") == "No rule gives points."
-    assert "Fewer points are better." in sheet(f"{RULE}result: {{rank: [{{score: each, better: less}}]}}\n")
+    assert "The team with fewer points wins." in sheet(f"{RULE}result: {{rank: [{{score: each, better: less}}]}}\n")
 
 
 # --- robots, field and programs -----------------------------------------------------------------------------------------
@@ -159,6 +220,16 @@ sequences: {{way: {{entity: ball, steps: [blue_goal, yellow_goal], wrong_step: b
     ]
 
 
+def test_a_role_that_begins_with_nothing_may_be_left_to_chance():
+    role = "roles: {{called: {{of: [Y1, Y2], initial: none, order: {}}}}}\n"
+    by_chance = section(sheet(role.format("random, not_last: true") + RULE), "Course")
+    assert by_chance == (
+        "- Nothing is “called” when a half starts; rules say when that is Y1 or Y2, or let chance decide, never the same twice "
+        "running."
+    )
+    assert "chance" not in section(sheet(role.format("listed") + RULE), "Course")
+
+
 def test_a_counter_that_keeps_the_best_is_explained():
     words = "The counter “best (s)” has no value when a half starts; of the values that it is given, the lowest counts."
     assert words in sheet(f"counters: {{best_s: {{keeps: lowest}}}}\n{RULE}")
@@ -172,5 +243,5 @@ def test_guidelines_are_listed_with_limits_and_prices():
     guideline = loaded.scenario.guidelines["workshop"]
     assert {f"drive {name}" for name in guideline.drives} | set(guideline.devices) <= parts.keys()
     assert parts["kicker"][:2] == ["400", "1"]
-    assert "up to 0.8: 0 points more, up to 1: 100 points more" in parts["kicker"][2]
+    assert "up to 0.8, up to 1: 100 points more" in parts["kicker"][2]
     assert all(words in text for words in ("3000 points", "diameter of 0.12 m", "up to 0.4 kg", "up to 3 designs"))

@@ -1,5 +1,6 @@
 """The rule sheet in a real browser: on a phone, and on paper."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -7,8 +8,10 @@ from typing import Any
 import pytest
 
 from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.resources import names_in, scenarios_folder
 from rcj_challenges.views.sheet import sheet_html
 
+PRINTED = (*names_in(scenarios_folder() / "examples"), "match", "workshop")
 PHONE = {"width": 360, "height": 740}
 
 
@@ -56,13 +59,25 @@ def test_on_a_phone_the_field_fills_the_screen_and_its_legend_is_below(sheet_of:
     assert page.evaluate("parseFloat(getComputedStyle(document.querySelector('.legend')).fontSize)") >= 12
 
 
-def test_players_need_two_pages_of_paper(sheet_of: Callable[..., Any]) -> None:
-    width, height = 680, 1009  # of A4 inside its margins, in CSS pixels
-    page = sheet_of("match", {"width": width, "height": height})
+@pytest.mark.parametrize("name", PRINTED)
+def test_players_need_two_pages_of_paper_and_so_does_the_appendix(name: str, sheet_of: Callable[..., Any]) -> None:
+    page = sheet_of(name, {"width": 700, "height": 1000})
     page.emulate_media(media="print")
-    assert page.evaluate("document.querySelector('.appendix').getBoundingClientRect().top") < 2 * height
-    assert page.evaluate("getComputedStyle(document.querySelector('.appendix')).breakBefore") == "page"
+    sizes = """[...document.querySelectorAll("body, body :not(svg, svg *, style)")]
+               .map(one => parseFloat(getComputedStyle(one).fontSize))"""
+    assert min(page.evaluate(sizes)) >= 10 * 96 / 72 - 0.01
     # The numbers in the drawing are at least 7 points high: 13 units of its width.
     assert (
         page.evaluate("document.querySelector('figure > svg').getBoundingClientRect().width") * 13 / 477 >= 7 * 96 / 72
     )
+    both = _pages_a4(page)
+    page.evaluate("document.querySelector('.appendix').remove()")
+    assert _pages_a4(page) <= 2
+    assert both - _pages_a4(page) <= 2
+
+
+def _pages_a4(page: Any) -> int:
+    """Return the number of pages that are printed, all in A4."""
+    boxes = re.findall(rb"/MediaBox \[0 0 ([0-9.]+) ([0-9.]+)\]", page.pdf(prefer_css_page_size=True))
+    assert {(round(float(width)), round(float(height))) for width, height in boxes} == {(595, 842)}
+    return len(boxes)

@@ -15,7 +15,8 @@ SECOND = "balls: {second: {start_m: [0.3, 0]}}\n"
 
 
 def received(text: str, preset: str = "soccersim_v2") -> str:
-    return section(sheet(text + RULE, preset), "What programs receive")
+    """Return the section of a sheet that has no other page with the rest: the sheet of a scenario without rules."""
+    return section(sheet(text, preset), "What programs receive")
 
 
 @pytest.mark.parametrize(
@@ -51,8 +52,8 @@ def test_packets_of_2021_are_unpacked_as_the_sheet_describes():
 @pytest.mark.parametrize(
     ("preset", "every_ticks", "words"),
     [
-        ("soccersim_v2", 1, "After it, every 32 ms, one JSON object follows"),
-        ("soccersim_2021", 4, "After it, every 128 ms, one JSON object follows"),
+        ("soccersim_v2", 1, "After the referee's packet, every 32 ms, one JSON object follows"),
+        ("soccersim_2021", 4, "After the referee's packet, every 128 ms, one JSON object follows"),
         ("soccersim_2021", 1, "One JSON object is made every 32 ms; the newest follows the next packet"),
     ],
 )

@@ -112,4 +112,4 @@ rules:
 def test_points_and_params_are_filled_in():
     score = "actions: [{action: score, entrant: blue, points: {param: n}}], says: '{points} points, {n}.'"
     rule = f"rules: {{it: {{triggers: [{{trigger: half_started}}], {score}}}}}\n"
-    assert "- 1 point, 1.\n" in sheet(f"params: {{n: 1}}\n{rule}")
+    assert "| 1 point, 1. | 1 for blue |" in sheet(f"params: {{n: 1}}\n{rule}")

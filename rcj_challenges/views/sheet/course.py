@@ -27,8 +27,8 @@ def length_words(scenario: Scenario) -> str:
 
 def course_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     """Yield the course of a half besides the rules."""
-    match = scenario.match
-    yield f"{length_words(scenario)} {match.period.a.capitalize()} begins in the phase {quoted(scenario.first_phase)}."
+    if scenario.phases:
+        yield f"{scenario.match.period.a.capitalize()} begins in the phase {quoted(scenario.first_phase)}."
     entries = [
         *(_phase_words(phrases, name, phase) for name, phase in scenario.phases.items()),
         *(_timer_words(phrases, name, timer) for name, timer in scenario.timers.items()),
@@ -119,7 +119,8 @@ def _role_words(phrases: Phrasebook, name: str, role: Role) -> str:
     members = [phrases.thing(one) for one in phrases.roster.roles[name]]
     which, begins = quoted_measure(name), _begin_words(phrases, role.keep)
     if role.initial is not None:
-        return f"Nothing is {which} when {begins}; rules say when that is {listed(members, 'or')}."
+        chance = f", or let chance decide{_again_words(phrases, role)}" if role.order == "random" else ""
+        return f"Nothing is {which} when {begins}; rules say when that is {listed(members, 'or')}{chance}."
     if role.order == "listed":
         after = "and again from the first" if role.cyclic else "then nothing"
         return f"When {begins}, {which} is {members[0]}; rules say when the next one is: {', '.join(members)}, {after}."

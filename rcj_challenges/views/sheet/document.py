@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from importlib.resources import files
 from typing import Any
 
@@ -13,9 +14,10 @@ from rcj_challenges.views.drawing.field import Picture
 
 @dataclass(frozen=True)
 class Items:
-    """A list; with ``numbered`` its order means something."""
+    """A list, with what introduces it; with ``numbered`` its order means something."""
 
     entries: tuple[str, ...]
+    title: str = ""
     numbered: bool = False
 
     @property
@@ -26,19 +28,21 @@ class Items:
 
 @dataclass(frozen=True)
 class Table:
-    """A table: the cells above its columns, and those of each row."""
+    """A table: the cells above its columns, those of each row, and what introduces it."""
 
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    title: str = ""
 
     def without_empty(self) -> Table:
         """Return it without the columns that are empty in every row."""
         kept = [k for k in range(len(self.head)) if any(row[k] for row in self.rows)]
-        return Table(tuple(self.head[k] for k in kept), tuple(tuple(row[k] for k in kept) for row in self.rows))
+        rows = tuple(tuple(row[k] for k in kept) for row in self.rows)
+        return Table(tuple(self.head[k] for k in kept), rows, self.title)
 
 
-Block = str | Items | Table
-"""A paragraph, a list or a table."""
+Block = str | Items | Table | Picture
+"""A paragraph, a list, a table or the drawing."""
 
 
 @dataclass(frozen=True)
@@ -46,18 +50,45 @@ class Section:
     """A heading with what stands below it."""
 
     title: str
-    blocks: tuple[Block, ...]
+    blocks: tuple[Any, ...]
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """A rule sheet: the lead is what players read, about two pages; the appendix has all that the referee tests."""
+    """A rule sheet: the lead is what players read, about two pages; the appendix what the referee tests beside a base.
+
+    Attributes:
+        base: the preset that has a page for all the rest.
+    """
 
     title: str
     description: str
-    picture: Picture
     lead: tuple[Section, ...]
-    appendix: tuple[Section, ...]
+    appendix: tuple[Section, ...] = ()
+    base: str = ""
+
+
+def beyond(sections: Iterable[Section], base: Iterable[Section]) -> Iterator[Section]:
+    """Yield what sections have and a base has not; and of what the names are that only its tables have."""
+    blocks = [block for section in base for block in section.blocks]
+    known = {one for block in blocks for one in (block.entries if isinstance(block, Items) else ())} | {*blocks}
+    rows = {block.head: block.rows for block in blocks if isinstance(block, Table)}
+    for section in sections:
+        left = tuple(one for block in section.blocks for one in _beyond(block, known, rows))
+        if left:
+            yield Section(section.title, left)
+
+
+def _beyond(block: Block, known: set[Block], rows: Mapping[tuple[str, ...], Sequence[tuple[str, ...]]]) -> list[Block]:
+    if isinstance(block, Items) and not block.numbered:
+        entries = tuple(one for one in block.entries if one not in known)
+        return [replace(block, entries=entries)] if entries else []
+    if not isinstance(block, Table):
+        return [] if block in known else [block]
+    usual, names = rows.get(block.head, ()), {row[0] for row in block.rows}
+    left = replace(block, rows=tuple(row for row in block.rows if row not in usual))
+    missing = [row[0] for row in usual if row[0] not in names]
+    return [*([left] if left.rows else []), *([f"Not here: {', '.join(missing)}."] if missing else [])]
 
 
 _MARKDOWN_MARKS = str.maketrans({mark: f"\\{mark}" for mark in "\\`*_[]<>#|"})
@@ -72,8 +103,11 @@ def to_markdown(sheet: Sheet, picture: str | None) -> str:
     """Return a sheet as Markdown, with a text in place of the drawing; None: inline SVG, which most sites leave out."""
     from markupsafe import Markup  # noqa: PLC0415 - only a command that renders a sheet needs it
 
-    shown = "\n".join(filter(str.strip, sheet.picture.svg().splitlines())) if picture is None else picture
-    text = _rendered("sheet.md.j2", _plain, sheet=sheet, picture=Markup(shown))  # noqa: S704 - made by the drawing
+    def shown(drawing: Picture) -> Markup:
+        text = "\n".join(filter(str.strip, drawing.svg().splitlines())) if picture is None else picture
+        return Markup(text)  # noqa: S704 - made by the drawing
+
+    text = _rendered("sheet.md.j2", _plain, sheet=sheet, shown=shown)
     return re.sub(r"\n{3,}", "\n\n", re.sub(" +\n", "\n", text)).strip() + "\n"
 
 

@@ -27,34 +27,29 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     )
     yield (
         f"{field.width_m:g} m wide (x) and {field.length_m:g} m long (y) {walls}. The origin is the centre; x grows "
-        f"to the right, y upwards in the drawing. {_surfaces(scenario)}"
+        f"to the right, y upwards in the drawing. The floor's coefficient of friction is {field.friction:g}."
     )
+    bounces = f"A ball bounces off a wall with {100 * field.restitution:g} % of its speed towards it."
+    if scenario.balls and (field.walls or scenario.obstacles):
+        yield bounces
+    if not scenario.balls:
+        yield "There is no ball."
     yield from _goals(field)
     if scenario.gates:
         yield "A gate is crossed forward towards the side to which its short mark in the drawing points."
     if remembered := spots_set_by_rules(scenario):
         yield f"Rules move {listed([*map(phrases.thing, remembered)], 'and')} during {phrases.period.a}."
     if scenario.balls:
-        yield "Balls; x and y in m:"
         balls = tuple(_ball_row(name, ball) for name, ball in scenario.balls.items())
-        yield Table(
-            ("ball", "start", "diameter", "mass", "colour", "sends infra-red", "rolling, it loses"), balls
-        ).without_empty()
+        columns = ("ball", "start", "diameter", "mass", "colour", "sends infra-red", "rolling, it loses")
+        yield Table(columns, balls, "Balls; x and y in m:")
     if scenario.obstacles:
-        yield f"Obstacles; the place is where the centre stands at the start of {phrases.period.a}, x and y in m:"
         rows = tuple(_obstacle_row(name, obstacle) for name, obstacle in scenario.obstacles.items())
-        yield Table(("obstacle", "place", "what it is", "height", "colour", "can be moved"), rows).without_empty()
+        head = ("obstacle", "place", "what it is", "height", "colour", "can be moved")
+        yield Table(head, rows, f"Obstacles at the start of {phrases.period.a}; x and y of the centre in m:")
     if scenario.groups:
-        yield "These names stand for several:"
-        yield Items(tuple(f"{quoted(group)}: {phrases.members(group)}" for group in scenario.groups))
-
-
-def _surfaces(scenario: Scenario) -> str:
-    field = scenario.field
-    floor = f"The floor's coefficient of friction is {field.friction:g}."
-    if not scenario.balls or not (field.walls or scenario.obstacles):
-        return floor
-    return f"{floor} A ball bounces off a wall with {100 * field.restitution:g} % of its speed towards it."
+        members = (f"{quoted(group)}: {phrases.members(group)}" for group in scenario.groups)
+        yield Items(tuple(members), "These names stand for several:")
 
 
 def _goals(field: models.FieldModel) -> Iterator[str]:

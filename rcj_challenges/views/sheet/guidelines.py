@@ -51,6 +51,9 @@ def _rows(parts: dict[str, Part], before: str) -> Iterator[tuple[str, str, str, 
 def _words(allowance: Allowance) -> str:
     """Return what a field may be: ``from 0.1 up to 1``, ``up to 32: 0 points, up to 64: 100 points``."""
     words = [f"from {number(allowance.least)}"] if allowance.least is not None else []
-    words += [f"up to {number(up_to)}: {counted(points, 'point')} more" for up_to, points in allowance.prices]
+    words += [
+        f"up to {number(up_to)}" + (f": {counted(points, 'point')} more" if points else "")
+        for up_to, points in allowance.prices
+    ]
     words += [f"up to {number(allowance.most)}"] if allowance.most is not None else []
     return ", ".join(words)

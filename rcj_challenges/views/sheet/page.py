@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 
 from rcj_challenges.core.amounts import Noun
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
@@ -10,76 +11,104 @@ from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.rules.effects import PlacesLayout
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, seconds
 from rcj_challenges.rules.placement import placement_words
+from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import Result, Rule, Scenario
 from rcj_challenges.scenario.placeholders import description_of, filled
+from rcj_challenges.scenario.resources import names_in, presets_folder
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import layouts_of
 from rcj_challenges.views.drawing.field import picture_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
-from rcj_challenges.views.sheet.document import Block, Items, Section, Sheet, Table
+from rcj_challenges.views.sheet.document import Block, Items, Section, Sheet, Table, beyond
 from rcj_challenges.views.sheet.field import field_blocks
 from rcj_challenges.views.sheet.guidelines import guideline_sections
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.programs import program_sections
 from rcj_challenges.views.sheet.robots import has, robot_blocks
-from rcj_challenges.views.sheet.rules import rule_blocks, rules_on_sheet, when_words
+from rcj_challenges.views.sheet.rules import general_notes, rule_blocks, rules_on_sheet, when_words
 from rcj_challenges.views.sheet.says import says_sentence
 
 
 def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
-    """Return the rule sheet of a scenario."""
+    """Return the rule sheet of a scenario; of one without rules, such as a preset, all of it is the lead."""
     phrases, rules = Phrasebook(scenario, roster), rules_on_sheet(scenario)
+    title, description, full = scenario.title, description_of(scenario), _full(scenario, roster)
+    setting = [
+        Section("Field", (picture_of(scenario, roster),)),
+        Section("Programs", tuple(_submission(scenario))),
+        *guideline_sections(scenario),
+    ]
+    if not scenario.rules:
+        return Sheet(title, description, (Section("The match", (length_words(scenario),)), *setting, *full))
+    scoring = tuple(_scoring(phrases, rules))
     lead = [
-        Section("The match", tuple(_match(scenario))),
-        Section("Scoring", tuple(_scoring(scenario, phrases, rules))),
+        Section("How to win", tuple(_winning(scenario, is_scored=bool(scoring)))),
+        Section("Scoring", scoring or ("No rule gives points.",)),
     ]
+    shown = {words for block in scoring for words, _ in block.rows}
     sentences = dict.fromkeys(says_sentence(phrases, rule) for name, rule in scenario.rules.items() if name in rules)
-    if texts := tuple(filter(None, sentences)):
+    if texts := tuple(one for one in sentences if one and one not in shown and one not in description):
         lead.append(Section("Rules", (Items(texts),)))
-    lead.append(Section("What to hand in", tuple(_submission(scenario))))
-    lead += guideline_sections(scenario)
-    appendix = [
-        Section("Field", tuple(field_blocks(scenario, phrases))),
-        Section("Robots", tuple(robot_blocks(scenario, phrases))),
+    beside = {name: tuple(beyond(full, base)) for name, base in _presets().items()}
+    base = min(beside, key=lambda name: len(repr(beside[name])))
+    return Sheet(title, description, (*lead, *setting), beside[base], base)
+
+
+@cache
+def _presets() -> dict[str, tuple[Section, ...]]:
+    """Return what there is to know of each preset."""
+    loaded = {name: load(presets_folder() / f"{name}.yaml") for name in names_in(presets_folder())}
+    return {name: _full(one.scenario, one.roster) for name, one in loaded.items()}
+
+
+def _full(scenario: Scenario, roster: Roster) -> tuple[Section, ...]:
+    """Return every number and every rule."""
+    phrases, rules = Phrasebook(scenario, roster), rules_on_sheet(scenario)
+    sections = [
+        Section("Rules in full", tuple(rule_blocks(phrases, rules))),
+        Section("Where things are put", tuple(_layouts(phrases, rules))),
         Section("Course", tuple(course_blocks(scenario, phrases))),
-        Section("Rules in full", tuple(rule_blocks(scenario, phrases, rules))),
+        Section("Field in full", tuple(field_blocks(scenario, phrases))),
+        Section("Robots", tuple(robot_blocks(scenario, phrases))),
+        *program_sections(scenario, phrases),
+        Section("How rules are judged", (Items(tuple(general_notes(scenario, rules))),)),
+        Section("Limits of programs", tuple(_limits(scenario))),
     ]
-    if places := tuple(_layouts(phrases, rules)):
-        appendix.append(Section("Where things are put", places))
-    appendix += program_sections(scenario, phrases, rules)
-    appendix.append(Section("Limits of programs", tuple(_limits(scenario))))
-    return Sheet(scenario.title, description_of(scenario), picture_of(scenario, roster), tuple(lead), tuple(appendix))
+    return tuple(section for section in sections if section.blocks)
 
 
-def _match(scenario: Scenario) -> Iterator[Block]:
-    teams = [
-        f"{plain(seat)} ({listed(list(map(plain, one.robots)), 'and')})" for seat, one in scenario.entrants.items()
-    ]
-    drivers = f" Programs drive {listed(teams, 'and')}." if teams else ""
-    yield f"{length_words(scenario)}{drivers}"
-
-
-def _scoring(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Block]:
-    # Rules that say the same, one for each side of the field, are the same rows for the reader.
-    rows = dict.fromkeys(row for rule in rules.values() for row in _points_rows(phrases, rule))
-    yield Table(("when", "who", "points"), tuple(rows)) if rows else "No rule gives points."
-    if rows or scenario.result != Result():
+def _winning(scenario: Scenario, *, is_scored: bool) -> Iterator[Block]:
+    if is_scored or scenario.result != Result():
         yield how_to_win(scenario)
+    yield length_words(scenario)
 
 
-def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, str]]:
-    points: dict[str, list[str]] = {}
-    own = phrases.within(rule)
-    for receiver, words in filter(None, (action.points_row(own) for action in rule.actions)):
-        points.setdefault(receiver, []).append(words)
-    when = says_sentence(own, rule) or f"{when_words(rule, phrases)}."
-    yield from ((when, receiver, ", plus ".join(parts)) for receiver, parts in points.items())
+def _scoring(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Table]:
+    # What rules say that are copies of one, for each side of the field, is the same row for the reader.
+    rows: dict[str, dict[str, dict[str, None]]] = {}
+    for rule in rules.values():
+        own = phrases.within(rule)
+        points: dict[str, list[str]] = {}
+        for receiver, words in filter(None, (action.points_row(own) for action in rule.actions)):
+            points.setdefault(receiver, []).append(words)
+        for receiver, parts in points.items():
+            when = says_sentence(own, rule) or f"{when_words(rule, phrases)}."
+            rows.setdefault(when, {}).setdefault(", plus ".join(parts), {})[receiver] = None
+    seats = set(map(plain, phrases.scenario.entrants))
+    if rows:
+        yield Table(("when", "points"), tuple((when, _points_words(given, seats)) for when, given in rows.items()))
+
+
+def _points_words(given: Mapping[str, Mapping[str, None]], seats: set[str]) -> str:
+    """Return what different receivers get; without their names if all teams get the same."""
+    is_same = len(given) == 1 and set(*given.values()) >= seats
+    return "; ".join(points if is_same else f"{points} for {listed(list(to), 'or')}" for points, to in given.items())
 
 
 def how_to_win(scenario: Scenario) -> str:
     """Return the sentences of the ranking, one behind the other."""
-    by_score = {"more": "More points are better.", "less": "Fewer points are better."}
+    by_score = {"more": "The team with more points wins.", "less": "The team with fewer points wins."}
     said = (filled(one.says, scenario.params) or by_score[one.better] for one in scenario.result.rank)
     return " ".join(said)
 
@@ -95,17 +124,30 @@ def _layouts(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[str]:
 
 
 def _submission(scenario: Scenario) -> Iterator[Block]:
-    rows = [
-        (plain(seat), plain(robot), " or ".join(entries) if isinstance(entries, tuple) else entries)
-        for seat, entrant in scenario.entrants.items()
-        for robot, entries in entrant.robots.items()
-    ]
-    yield Table(("team", "robot", "program"), tuple(rows))
-    if any(isinstance(entries, tuple) for one in scenario.entrants.values() for entries in one.robots.values()):
+    robots: dict[tuple[str, ...], dict[str, str]] = {}
+    for seat, entrant in scenario.entrants.items():
+        for robot, entries in entrant.robots.items():
+            robots.setdefault(entries if isinstance(entries, tuple) else (entries,), {})[robot] = seat
+    yield Table(
+        ("robot", "team", "program"),
+        tuple(
+            (listed([*map(plain, names)], "and"), listed([*dict.fromkeys(map(plain, names.values()))], "and"), paths)
+            for entries, names in robots.items()
+            for paths in [" or ".join(_own_paths(entries, set(names.values())))]
+        ),
+    )
+    if any(len(entries) > 1 for entries in robots):
         yield "Of several places of a program the first that exists is taken."
-    programs = {frozenset(entrant.robots.values()) for entrant in scenario.entrants.values()}
-    if scenario.match.swap_sides and scenario.match.halves > 1 and len(programs) > 1:
-        yield "As the teams change sides, each of them hands in the programs of both."
+    if scenario.match.swap_sides and scenario.match.halves > 1:
+        programs = {frozenset(entrant.robots.values()) for entrant in scenario.entrants.values()}
+        if len(programs) > 1:
+            yield "As the teams change sides, each of them hands in the programs of both."
+
+
+def _own_paths(entries: tuple[str, ...], seats: set[str]) -> tuple[str, ...]:
+    """Return the places of a program that are not called after another colour than those of its teams, if there are."""
+    others = {"blue", "yellow"} - seats
+    return tuple(path for path in entries if not any(colour in path for colour in others)) or entries
 
 
 def _limits(scenario: Scenario) -> Iterator[str]:

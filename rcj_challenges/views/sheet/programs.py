@@ -1,4 +1,4 @@
-"""What programs receive from the referee and can send to it, for a rule sheet, and the events in the log."""
+"""What programs receive from the referee and can send to it, for a rule sheet."""
 
 from __future__ import annotations
 
@@ -11,16 +11,14 @@ from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.robots.channels import entrant_of, listening_channels
 from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.effects import Emits
 from rcj_challenges.rules.phrasing import listed, plain
 from rcj_challenges.rules.values import Value, value_words
 from rcj_challenges.scenario.kits import devices_of, referee_listens, robots_with_emitter
 from rcj_challenges.scenario.models.robots import Kit
-from rcj_challenges.scenario.models.scenario import Broadcast, Rule, Scenario
+from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.views.sheet.document import Block, Items, Section, Table
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.robots import has
-from rcj_challenges.views.sheet.says import says_sentence
 
 _FLAG_PACKETS = {
     "v2.1": 'It is one byte, whether a kick-off is awaited; Python unpacks it with struct.unpack("?", packet).',
@@ -36,18 +34,11 @@ _DISTINCTION = {
 """How programs distinguish the broadcast from the official packet: whether both are JSON text."""
 
 
-def program_sections(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Section]:
-    """Yield the sections about messages between programs and the referee, and about the events of some rules."""
+def program_sections(scenario: Scenario, phrases: Phrasebook) -> Iterator[Section]:
+    """Yield the sections about messages between programs and the referee."""
     yield Section("What programs receive", tuple(_received(scenario, phrases)))
     if sent := tuple(_sent(scenario, phrases)) if referee_listens(scenario) else ():
         yield Section("What programs can send to the referee", sent)
-    events: dict[str, list[str]] = {}
-    for rule in rules.values():
-        for event in dict.fromkeys(one.event for one in rule.effects(Emits)):
-            events.setdefault(event, []).append(says_sentence(phrases, rule))
-    if events:
-        rows = ((event, " Or: ".join(filter(None, dict.fromkeys(said)))) for event, said in events.items())
-        yield Section("Events in the log", (Table(("event", "meaning"), tuple(rows)),))
 
 
 def _received(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
@@ -58,13 +49,15 @@ def _received(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     if not hearing:
         yield "No robot has a receiver of the referee's packets."
     for kit_name, robots in hearing.items():
-        yield from _packet(scenario.kits[kit_name], robots, phrases)
+        driven = [plain(name) for name in entrant_of(scenario) if scenario.robots[name].kit == kit_name]
+        receivers = f"each robot with the kit {kit_name}" if robots == driven else listed(robots, "and")
+        yield from _packet(scenario.kits[kit_name], receivers, phrases)
     if hearing and scenario.broadcast is not None:
         yield from _broadcast(scenario.broadcast, [scenario.kits[name] for name in hearing], phrases)
 
 
-def _packet(kit: Kit, robots: list[str], phrases: Phrasebook) -> Iterator[Block]:
-    often = f"The referee sends {listed(robots, 'and')} a packet {_every(kit.packet_every_ticks)}."
+def _packet(kit: Kit, receivers: str, phrases: Phrasebook) -> Iterator[Block]:
+    often = f"The referee sends {receivers} a packet {_every(kit.packet_every_ticks)}."
     if kit.messages != "2021":
         yield f"{often} {_FLAG_PACKETS[kit.messages]}"
         return
@@ -84,8 +77,7 @@ def _packet(kit: Kit, robots: list[str], phrases: Phrasebook) -> Iterator[Block]
     if not parts:
         yield f"{often} It is empty."
         return
-    yield f"{often} It holds, in this order:"
-    yield Items(tuple(parts), numbered=True)
+    yield Items(tuple(parts), f"{often} It holds, in this order:", numbered=True)
     yield (
         "X is the y of this sheet, Z is its x, both in m. The orientation is the way the robot looks, in rad "
         "counter-clockwise from +x, from -π to π. What is off the field has coordinates far outside its walls. Python "
@@ -96,7 +88,7 @@ def _packet(kit: Kit, robots: list[str], phrases: Phrasebook) -> Iterator[Block]
 def _broadcast(broadcast: Broadcast, kits: list[Kit], phrases: Phrasebook) -> Iterator[Block]:
     every, to = _every(broadcast.every_ticks), "" if broadcast.fields else " for some robots"
     if all(broadcast.every_ticks % kit.packet_every_ticks == 0 for kit in kits):
-        yield f"After it, {every}, one JSON object follows on the same channel{to}:"
+        yield f"After the referee's packet, {every}, one JSON object follows on the same channel{to}:"
     else:
         # It is made on a tick on which the official packet may be missing; then it waits, and a newer one replaces it.
         yield f"One JSON object is made {every}; the newest follows the next packet{to}, on its channel:"

@@ -8,7 +8,7 @@ from rcj_challenges.devices.base import Device
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.devices.team_receiver import TeamReceiverDevice
 from rcj_challenges.robots.channels import entrant_of, team_channels
-from rcj_challenges.rules.phrasing import heading, listed, metres_alike, plain
+from rcj_challenges.rules.phrasing import heading, metres_alike, plain
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import devices_of
 from rcj_challenges.scenario.models import robots as models
@@ -27,11 +27,11 @@ def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         yield f"Teams take their robots along when they change sides; these are those of {first}."
     scenario = in_half(scenario, 1)
     owners = entrant_of(scenario)
-    rows = [
+    starts = [
         (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit, _start(robot.start))
         for name, robot in scenario.robots.items()
     ]
-    yield Table(("robot", "colour", "program", "kit", "start (x, y in m)"), tuple(rows))
+    yield Table(("robot", "colour", "program", "kit", "start (x, y in m)"), tuple(starts))
     if any(any(robot.start.noise_m) for robot in scenario.robots.values()):
         yield (
             "Each time a robot is put at its start, chance shifts it by up to ±, all shifts in this range being "
@@ -40,20 +40,17 @@ def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     for kit_name, kit in scenario.kits.items():
         members = [name for name, robot in scenario.robots.items() if robot.kit == kit_name]
         if members:
-            yield f"Kit {kit_name} ({', '.join(map(plain, members))}): {_body(kit, phrases)}"
+            yield f"Kit {kit_name}: {_body(kit, phrases)}"
         if driven := [name for name in members if not scenario.robots[name].idle]:
-            yield (
-                f"Programs for it usually take steps of {kit.control_step_ms} ms; messages are as in version "
-                f"{kit.messages}."
-            )
-            yield Table(("device", "robots", "what it is"), tuple(_device_rows(scenario, driven, phrases)))
-    radios = {
-        f"channel {team_channels(scenario)[name]} for {plain(owners[name])}": None
+            steps = f"Programs for the kit {kit_name} usually take steps of {kit.control_step_ms} ms"
+            yield f"{steps}; messages are as in version {kit.messages}."
+            rows = _device_rows(scenario, driven, phrases)
+            yield Table((f"device of {kit_name}", "robots", "what it is"), tuple(rows))
+    yield from dict.fromkeys(
+        f"Team radio: channel {team_channels(scenario)[name]} for {plain(owners[name])}."
         for name in scenario.robots
         if name in owners and has(scenario, name, *_RADIO)
-    }
-    if radios:
-        yield f"Team radio: {listed(list(radios), 'and')}."
+    )
 
 
 def has(scenario: Scenario, robot: str, *kinds: type[Device]) -> bool:

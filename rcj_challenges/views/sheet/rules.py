@@ -5,16 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rcj_challenges.core.timing import TICK_MS
+from rcj_challenges.rules.actions import ACTIONS
 from rcj_challenges.rules.base import Word
+from rcj_challenges.rules.conditions import CONDITIONS
 from rcj_challenges.rules.effects import Draws, Emits, SetsSpot, Writes
+from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.phrasing import listed, quoted, times
-from rcj_challenges.rules.values import duration_words
+from rcj_challenges.rules.places import PLACES
+from rcj_challenges.rules.triggers import TRIGGERS
+from rcj_challenges.rules.values import VALUES, duration_words
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
+_VOCABULARIES = (TRIGGERS, CONDITIONS, VALUES, ACTIONS, PLACES)
+_MAX_CHANGES = 4
+_MARKS = ".,;:()“”"
 _BOOKKEEPING = (Draws, Emits, SetsSpot, Writes)
 """Effects that change nothing on the field, in the score or in the course."""
 
@@ -31,15 +39,15 @@ def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
     }
 
 
-def rule_blocks(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Block]:
-    """Yield the effects of some rules, in sentences, and statements about all of them."""
-    yield (
-        "On each tick the rules are judged in this order; a name in brackets is the rule's name in the log. Rules that "
-        "only count or remember something for others are left out."
-    )
+def rule_blocks(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Block]:
+    """Yield the effects of some rules, in sentences."""
     if rules:
-        yield Items(tuple(f"[{name}] {_sentence(rule, phrases)}" for name, rule in rules.items()), numbered=True)
-    yield Items((*_general(scenario, rules), *_exclusive_words(rules)))
+        title = (
+            "In the order in which they are judged; a name in brackets is the rule's name in the log. Rules that only "
+            "count or remember something for others are left out."
+        )
+        yield Items(tuple(_sentences(rules, phrases)), title, numbered=True)
+    yield from _exclusive_words(rules)
 
 
 def when_words(rule: Rule, phrases: Phrasebook) -> str:
@@ -72,18 +80,42 @@ def _during(keep: str, phrases: Phrasebook) -> str:
     return known.get(keep, f"from one beginning of the phase {quoted(keep)} to the next")
 
 
-def _general(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
+def _sentences(rules: Mapping[str, Rule], phrases: Phrasebook) -> Iterator[str]:
+    """Yield each rule in full, or by what distinguishes it from an earlier one that is worded alike."""
+    said: dict[str, str] = {}
+    for name, rule in rules.items():
+        sentence = _sentence(rule, phrases)
+        alike = ((other, _differences(words, sentence)) for other, words in said.items())
+        like, changes = next(((other, found) for other, found in alike if found), ("", []))
+        said[name] = sentence
+        yield f"[{name}] As [{like}], with {'; '.join(changes)}." if changes else f"[{name}] {sentence}"
+
+
+def _differences(sentence: str, other: str) -> list[str]:
+    """Return how one sentence becomes another by a few words that are replaced wherever they stand; else nothing."""
+    words, others = sentence.split(" "), other.split(" ")
+    changed = {old: new for old, new in zip(words, others, strict=False) if old != new}
+    is_alike = len(words) == len(others) and [changed.get(word, word) for word in words] == others
+    changes = dict.fromkeys(f"{new.strip(_MARKS)} for {old.strip(_MARKS)}" for old, new in changed.items())
+    return [*changes] if is_alike and len(changes) <= _MAX_CHANGES else []
+
+
+def general_notes(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
+    """Yield what holds for all rules: of a scenario without rules, such as a preset, whatever they use."""
     yield (
         f"Everything is judged on every tick of {TICK_MS} ms; a time is over on the first tick on which it has passed."
     )
-    if set(scenario.phases) - {"play"}:
+    if set(scenario.phases) - {"play"} or not scenario.rules:
         yield (
             "A rule that names no phase counts in the phase “play” only. What happens in another phase is not made up "
             "for later, and what must last for a time is measured again."
         )
     parts = (*rules.values(), scenario.placements, scenario.broadcast, scenario.sequences)
-    models = [model for model, _ in walk(parts)]
-    if any(isinstance(model, Sequence) or (isinstance(model, Word) and model.ASKS_WHERE) for model in models):
+    models: list[Strict | type[Strict]] = [model for model, _ in walk(parts)]
+    if not scenario.rules:
+        models = [Sequence, *(word for words in _VOCABULARIES for word in words.words())]
+    asks = (isinstance(one, Sequence) or (isinstance(one, Word) and one.ASKS_WHERE) for one in models)
+    if not scenario.rules or any(asks):
         yield (
             "A robot, a ball or an obstacle is where its centre is: that counts for zones and gates, and distances are "
             "measured from it."
