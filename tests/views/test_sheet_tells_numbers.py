@@ -22,6 +22,8 @@ from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.facts import Facts
 from rcj_challenges.rules.phrasing import degrees, number, seconds
+from rcj_challenges.rules.ranked import Ranked
+from rcj_challenges.rules.valued import Valued
 from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
@@ -163,8 +165,10 @@ def _parts(annotation: Any) -> Iterator[Any]:
 
 def _owner(model: type[BaseModel], name: str) -> str:
     """Return the name of the model that a field is of: of one that many words have, that of the class they share."""
-    shared = (part for part in (Compared, NumberValue, Facts) if issubclass(model, part) and name in part.model_fields)
-    own = model.VALUE if issubclass(model, Compared) and name in model.VALUE.model_fields else model
+    shared = (
+        part for part in (Compared, Ranked, NumberValue, Facts) if issubclass(model, part) and name in part.model_fields
+    )
+    own = model.VALUE if issubclass(model, Valued) and name in model.VALUE.model_fields else model
     return next(shared, own).__name__
 
 
@@ -194,6 +198,7 @@ def _loaded() -> tuple[Loaded, ...]:
     shipped = Path(__file__).resolve().parents[2] / "scenarios"
     return (
         load_text(_SHOWN_NOWHERE_ELSE),
+        load_text("schema_version: 2\nid: open\ntitle: Open\nextends: empty_field\nfield: {walls: false}\n"),
         *(load(shipped / f"{name}.yaml") for name in _SHIPPED),
         *(load_text(example.whole) for example in read_examples()),
     )

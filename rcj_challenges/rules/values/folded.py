@@ -57,4 +57,4 @@ class FoldedValue(NumberValue):
         several = self.several()
         if isinstance(several, tuple):
             return f"the {self.KEY} of {listed([amount_words(phrases, one) for one in several], 'and')}"
-        return f"the {self.KEY} {several.describe_each(phrases)}"
+        return f"the {self.KEY}{' of the' if self.KEY == 'sum' else ''} {several.describe_each(phrases)}"

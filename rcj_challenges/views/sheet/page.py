@@ -11,12 +11,13 @@ from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.rules.effects import PlacesLayout
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, seconds
 from rcj_challenges.rules.placement import placement_words
+from rcj_challenges.rules.values import amount_words
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import Result, Rule, Scenario
 from rcj_challenges.scenario.placeholders import description_of, filled
 from rcj_challenges.scenario.resources import names_in, presets_folder
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import ENTRANTS, Roster
 from rcj_challenges.scenario.rule_effects import layouts_of
 from rcj_challenges.views.drawing.field import picture_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
@@ -67,6 +68,7 @@ def _full(scenario: Scenario, roster: Roster) -> tuple[Section, ...]:
     phrases, rules = Phrasebook(scenario, roster), rules_on_sheet(scenario)
     sections = [
         Section("Rules in full", tuple(rule_blocks(phrases, rules))),
+        Section("Ranking in full", tuple(_ranking(phrases))),
         Section("Where things are put", tuple(_layouts(phrases, rules))),
         Section("Course", tuple(course_blocks(scenario, phrases))),
         Section("Field in full", tuple(field_blocks(scenario, phrases))),
@@ -111,6 +113,19 @@ def how_to_win(scenario: Scenario) -> str:
     by_score = {"more": "The team with more points wins.", "less": "The team with fewer points wins."}
     said = (filled(one.says, scenario.params) or by_score[one.better] for one in scenario.result.rank)
     return " ".join(said)
+
+
+def _ranking(phrases: Phrasebook) -> Iterator[Items]:
+    rank, halves = phrases.scenario.result.rank, phrases.period.many
+    if rank == Result().rank:
+        return
+    own = phrases.within(Rule.model_construct(for_each=ENTRANTS, triggers=(), actions=()))
+    over = {"sum": "", "best": f", the best of the {halves}", "worst": f", the worst of the {halves}"}
+    words = (
+        f"{amount_words(own, one.value)}{over.get(one.over, ', when the match is over')}; {one.better} is better"
+        for one in rank
+    )
+    yield Items(tuple(words), "For each team, each counts only if those before it are equal:", numbered=True)
 
 
 def _layouts(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[str]:
