@@ -179,6 +179,28 @@ def test_the_page_of_a_preset_has_all_of_it_and_how_rules_are_judged():
 # --- scoring ----------------------------------------------------------------------------------------------------------
 
 
+def test_points_of_rules_that_say_the_same_are_one_row_with_whose_they_are():
+    gives = "{IT}, actions: [{{action: score, entrant: {0}, points: {1}}}], says: A gift."
+    rules = [gives.format(*one, IT=IT) for one in (("blue", 7), ("yellow", 7), ("yellow", 9))]
+    same, other = (
+        ", ".join(f"{name}: {{{rule}}}" for name, rule in zip("ab", pair, strict=True))
+        for pair in (rules[:2], rules[::2])
+    )
+    assert "| A gift. | 7 |" in sheet(f"rules: {{{same}}}\n")
+    assert "| A gift. | 7 for blue; 9 for yellow |" in sheet(f"rules: {{{other}}}\n")
+    alone = sheet(f"entrants: {{yellow: null}}\nrules: {{a: {{{rules[0]}}}}}\n")
+    assert "| A gift. | 7 |" in alone
+
+
+def test_programs_are_where_no_other_colour_has_its_name():
+    rows = section(
+        sheet(f"entrants: {{blue: null, yellow: {{robots: {{Y1: null, Y2: null}}}}}}\n{RULE}"), "Programs"
+    ).splitlines()
+    assert rows[2:] == ["| Y3 | yellow | robot3/robot3.py, else robot.py |"]
+    both = section(sheet(RULE), "Programs").splitlines()[2]
+    assert both.startswith("| B1 and Y1 | blue and yellow | rcj_soccer_team_blue/rcj_soccer_team_blue.py, else robot1/")
+
+
 def test_rules_that_give_no_points_are_not_ranked_unless_the_scenario_says_how():
     assert section(sheet(RULE), "Scoring") == "No rule gives points."
     assert "The team with fewer points wins." in sheet(f"{RULE}result: {{rank: [{{score: each, better: less}}]}}\n")

@@ -11,7 +11,7 @@ from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
 from rcj_challenges.views.sheet import sheet_html
 
-PRINTED = (*names_in(scenarios_folder() / "examples"), "match", "workshop")
+PRINTED = (*names_in(scenarios_folder() / "examples"), "match")
 PHONE = {"width": 360, "height": 740}
 
 

@@ -103,8 +103,8 @@ def _scoring(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Table]:
 
 
 def _points_words(given: Mapping[str, Mapping[str, None]], seats: set[str]) -> str:
-    """Return what different receivers get; without their names if all teams get the same."""
-    is_same = len(given) == 1 and set(*given.values()) >= seats
+    """Return what different receivers get; without their names if there is one team, or all get the same."""
+    is_same = len(given) == 1 and (len(seats) == 1 or set(*given.values()) >= seats)
     return "; ".join(points if is_same else f"{points} for {listed(list(to), 'or')}" for points, to in given.items())
 
 
@@ -142,17 +142,13 @@ def _submission(scenario: Scenario) -> Iterator[Block]:
     robots: dict[tuple[str, ...], dict[str, str]] = {}
     for seat, entrant in scenario.entrants.items():
         for robot, entries in entrant.robots.items():
-            robots.setdefault(entries if isinstance(entries, tuple) else (entries,), {})[robot] = seat
-    yield Table(
-        ("robot", "team", "program"),
-        tuple(
-            (listed([*map(plain, names)], "and"), listed([*dict.fromkeys(map(plain, names.values()))], "and"), paths)
-            for entries, names in robots.items()
-            for paths in [" or ".join(_own_paths(entries, set(names.values())))]
-        ),
+            robots.setdefault(entries if isinstance(entries, tuple) else (entries,), {})[plain(robot)] = plain(seat)
+    rows = (
+        (listed([*names], "and"), listed([*dict.fromkeys(names.values())], "and"), ", else ".join(paths))
+        for entries, names in robots.items()
+        for paths in [_own_paths(entries, {*names.values()})]
     )
-    if any(len(entries) > 1 for entries in robots):
-        yield "Of several places of a program the first that exists is taken."
+    yield Table(("robot", "team", "program"), tuple(rows))
     if scenario.match.swap_sides and scenario.match.halves > 1:
         programs = {frozenset(entrant.robots.values()) for entrant in scenario.entrants.values()}
         if len(programs) > 1:
