@@ -10,20 +10,16 @@ from rcj_challenges.geometry.polygons import Point, side
 from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.outlines import counter_clockwise
+from rcj_challenges.scenario.shapes import floor_of, goal_floor
 
 Corners = tuple[Point, ...]
 
 
 def floor_parts(field: FieldModel) -> list[Corners]:
     """Return the convex parts of the floor, inside the walls if any: the field, then its goals, counter-clockwise."""
-    x, y, cut = field.bounds.width_m / 2, field.bounds.length_m / 2, field.cut_m
-    octagon = ((x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut), (-x, cut - y), (cut - x, -y))
-    parts: list[Corners] = [(*octagon, (x - cut, -y))]
-    for goal in field.goals.values():
-        half, far = goal.width_m / 2, y + goal.depth_m
-        low, high = (y, far) if goal.end == "positive_y" else (-far, -y)
-        parts.append(((-half, low), (half, low), (half, high), (-half, high)))
-    return parts
+    outlines = (floor_of(field.bounds), *(goal_floor(goal, field) for goal in field.goals.values()))
+    return [counter_clockwise(tuple(outline)) for outline in outlines]
 
 
 def on_floor(point: Point, parts: Sequence[Corners]) -> bool:
