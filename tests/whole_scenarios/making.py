@@ -213,7 +213,7 @@ class Maker:
         if bound and chance.random() < 0.6:
             return chance.choice(bound)
         known = [name for name, kind in stage.kinds.items() if kind in reference.kinds]
-        if "walls" in reference.kinds:
+        if "walls" in reference.kinds and stage.data.get("field", {}).get("walls", True):
             known.append("walls")
         if reference.groups and chance.random() < 0.5:
             known += self._groups_of(reference)

@@ -177,6 +177,7 @@ def _add_field_and_kit(stage: Stage, chance: random.Random) -> None:
             if chance.random() < 0.5
         ]
         stage.data["field"]["goals"] = {f"goal {number}": goal for number, goal in enumerate(goals)}
+        stage.data["field"]["walls"] = bool(goals) or chance.random() < 0.5
     devices: Data = {
         "left": {"device": "motor", "wheel": "left"},
         "right": {"device": "motor", "wheel": "right", "direction": chance.choice((1, -1))},
