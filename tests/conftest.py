@@ -62,9 +62,10 @@ def pytest_collection(session: pytest.Session) -> Iterator[None]:
     """
     gc.disable()
     if not session.config.pluginmanager.has_plugin("dsession"):  # which has others collect and run the tests
-        from tests.parsed_once import parse_once
+        from tests.parsed_once import load_once, parse_once
 
         parse_once()
+        load_once()
     try:
         return (yield)
     finally:

@@ -72,8 +72,8 @@ def test_a_program_that_has_answered_pays_nothing_while_the_match_waits_for_anot
             for program in programs.values():
                 assert not isinstance(program.collect(), Fault)
     slow, quick = programs["Y1"].budget, programs["Y2"].budget
-    assert slow.slowest_s == pytest.approx(0.3, abs=0.1)
-    assert 0.0 < quick.slowest_s < 0.15
+    assert 0.1 < slow.slowest_s < 0.5
+    assert 0.0 < quick.slowest_s < 0.7 * slow.slowest_s
 
 
 @needs_linux

@@ -62,6 +62,7 @@ def test_changes_of_the_tutorial_fit_the_files_that_it_makes(followed):
 
 
 @pytest.mark.timeout(600)  # two matches of four minutes, which a busy computer plays slowly
+@pytest.mark.nightly
 def test_the_new_program_does_better_than_the_first_in_the_match_that_is_shown(compare):
     first, new = (command for command in COMMANDS if "--yellow my_team" in command and "--debug" not in command)
     assert first == new

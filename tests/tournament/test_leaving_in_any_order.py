@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.tournament.load import load_tournament
@@ -51,6 +51,7 @@ def take_step(tournament, state, *, leaves, number):
 
 @pytest.mark.parametrize("withdrawn", ["", "withdrawn: {lost: [0, 3]}\n"], ids=["annulled", "lost"])
 @pytest.mark.parametrize("kind", STAGES)
+@settings(max_examples=settings.default.max_examples // 3)
 @given(steps=st.lists(st.tuples(st.booleans(), st.integers(0, 20)), max_size=10))
 def test_the_site_shows_the_places_of_the_results_and_what_is_decided_stays(kind, withdrawn, steps):
     with tempfile.TemporaryDirectory() as folder, Store(Path(folder), writing=True) as store:

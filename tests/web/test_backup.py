@@ -7,6 +7,8 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.web import dispatcher, jobs, seasons
 from rcj_challenges.web.backup import back_up, problems
@@ -21,6 +23,7 @@ from tests.web.test_matches import accepted, add, begun
 MANY = {"uploads_per_hour": 1000, "uploads_per_day": 1000}
 
 
+@pytest.mark.nightly
 def test_next_match_of_a_restored_site_is_played_and_ends_as_on_the_other(
     folder: Callable[..., SiteConfig], tmp_path: Path, serve: Callable[..., Served]
 ) -> None:

@@ -114,6 +114,7 @@ def test_event_is_played_and_published_and_a_ruling_is_shown(site: SiteConfig) -
     assert f"DTSTART:{event.deadline:%Y%m%dT%H%M%SZ}\r\n" in days
 
 
+@pytest.mark.nightly
 def test_of_a_team_that_is_deleted_results_stay_and_nothing_else(site: SiteConfig) -> None:
     client = organizer()
     event = make_frozen(site, 3, finalists=0)
@@ -169,6 +170,7 @@ def test_event_is_verified_and_plays_again_what_was_ruled_on(site: SiteConfig) -
     assert client.post(f"{desk}/rule", {"team": "team1", "kind": "withdrawn", "reason": "ill"}).status_code == 302
 
 
+@pytest.mark.nightly
 def test_archive_that_is_not_the_frozen_one_is_not_played(site: SiteConfig) -> None:
     event = make_frozen(site, 2)
     path = next((events.event_folder(event) / "frozen").iterdir())
@@ -263,7 +265,8 @@ def test_match_is_ruled_on_while_an_event_pauses(
 
 
 @pytest.mark.timeout(900)
-@pytest.mark.parametrize("is_played", [False, pytest.param(True, marks=pytest.mark.nightly)])
+@pytest.mark.nightly
+@pytest.mark.parametrize("is_played", [False, True])
 def test_event_plays_exactly_the_published_hashes_when_it_is_frozen_while_uploads_run(
     folder: Callable[..., SiteConfig], serve: Callable[..., Served], monkeypatch: pytest.MonkeyPatch, is_played: bool
 ) -> None:

@@ -138,6 +138,7 @@ def test_match_that_ends_differently_when_it_is_played_again_is_a_fault_of_the_s
     assert not record_folder(site.folder, match).exists()
 
 
+@pytest.mark.nightly
 def test_dispatcher_with_other_versions_takes_no_match_but_checks(
     site: SiteConfig, basis: Basis, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -162,6 +163,7 @@ def test_check_goes_before_matches_that_wait_longer(site: SiteConfig, basis: Bas
     assert [job.kind for job in order if job is not None] == ["check", "ladder", "ladder"]
 
 
+@pytest.mark.nightly
 def test_match_whose_process_is_killed_is_played_again_and_has_the_result_of_one_that_was_not(
     site: SiteConfig, basis: Basis
 ) -> None:

@@ -74,6 +74,7 @@ def raw_bytes(address: str, received: list[tuple[float, bytes]]) -> None:
             received.append((time.time(), body))
 
 
+@pytest.mark.nightly
 def test_all_windows_show_the_same_moment_and_no_byte_comes_before_it(
     club: tuple[Served, Club], browser: Browser, monkeypatch: pytest.MonkeyPatch
 ) -> None:
