@@ -110,7 +110,7 @@ def _play(
             *_no_room(match),
             *_not_drawn(match, expected),
             *missed_notes(match.referee.missed, scenario, wanted, fired),
-            *denied_condition_notes(match.referee.denied or {}, scenario, wanted, fired),
+            *denied_condition_notes(match.referee.rounds.denied or {}, scenario, wanted, fired),
             *_early_end_notes(match, scenario, expected, wanted),
             *_course(match, differences),
         )

@@ -66,7 +66,7 @@ class ScriptedMatch:
     ) -> None:
         self.roster = roster
         self.referee = Referee(scenario, roster, half or half_of(scenario), draws, spots)
-        self.referee.denied = {}
+        self.referee.rounds.denied = {}
         self.tick = 0
         self.events: list[Event] = []
         self.firings: list[Firing] = []

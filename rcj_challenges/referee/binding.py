@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from rcj_challenges.referee.bodies import PlacementBoard
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
-from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.binder import Binder

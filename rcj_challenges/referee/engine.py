@@ -31,8 +31,6 @@ from rcj_challenges.scenario.draw_order import Series
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.positions import start_noise_m
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.tracking.bound_rules import Denied
-from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.trackers import NEVER, Missed
 
 MOST_PASSES = 16
@@ -50,6 +48,13 @@ class Referee:
             one comes whenever the draw is drawn, and when all have come, chance decides again.
         spots: where random ``set_spot`` actions set spots, decided beforehand in the same way, in m.
 
+    Attributes:
+        scores: points by entrant, as seated in this half.
+        counters, flags: by name, those kept per entity as a mapping; None: it has no value.
+        draws: what the draws decided, and who has the roles, by name; None: nothing.
+        spots: where the spots are now, by name: [x, y] in m.
+        rounds: in which rules fire.
+
     Raises:
         ValueError: ``draws`` names no draw, or a value that it cannot have; or a name in the scenario is unknown.
     """
@@ -60,10 +65,12 @@ class Referee:
     ) -> None:  # fmt: skip
         self._state = State(scenario, roster, half)
         self._half = half
+        self.scores, self.counters, self.flags = self._state.scores, self._state.counters, self._state.flags
+        self.draws, self.spots = self._state.draws, self._state.spots
         self._context = CompileContext(self._state)
         self._context.emit = self._emit
-        self._rounds = Rounds(self._state, self._context.hits, self._enter_phase)
-        self._context.enter_phase = self._rounds.set_phase
+        self.rounds = Rounds(self._state, self._context.hits, self._enter_phase)
+        self._context.enter_phase = self.rounds.set_phase
         assemble(self._context)
         self._state.decide_draws(draws or {})
         self._state.decide_spots(spots or {})
@@ -77,7 +84,7 @@ class Referee:
         self._entered: list[tuple[str, str]] = []
         self._emitted: list[tuple[str, tuple[str, ...]]] = []
         self._events: list[Event] = []
-        self._firings = self._rounds.firings
+        self._firings = self.rounds.firings
         self._quiet: RefereeOutput | None = None
         broadcast = scenario.broadcast
         self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._context)
@@ -88,44 +95,15 @@ class Referee:
     # --- state for readers --------------------------------------------------------------------------------------------
 
     @property
-    def scores(self) -> dict[str, Number]:
-        """Points by entrant, as seated in this half."""
-        return self._state.scores
-
-    @property
     def phase(self) -> str:
         """The phase now."""
         return self._state.phase
-
-    @property
-    def counters(self) -> dict[str, Number | dict[str, Number | None] | None]:
-        """Counters by name, those kept per entity as a mapping; None: it has no value."""
-        return self._state.counters
-
-    @property
-    def flags(self) -> dict[str, bool | dict[str, bool]]:
-        """Flags by name; those kept per entity as a mapping."""
-        return self._state.flags
-
-    @property
-    def denied(self) -> Denied | None:
-        """What kept triggered rules from firing; None: it is not noted (only tests need it)."""
-        return self._rounds.denied
-
-    @denied.setter
-    def denied(self, found: Denied | None) -> None:
-        self._rounds.denied = found
 
     @property
     def held(self) -> dict[str, bool]:
         """By robot, whether it is held, by a rule or by the phase."""
         roster = self._state.roster
         return {name: self._state.held.holds(robot) for robot, name in enumerate(roster.entities[: roster.robots])}
-
-    @property
-    def draws(self) -> dict[str, Any]:
-        """What the draws decided, and who has the roles, by name; None: nothing."""
-        return self._state.draws
 
     @property
     def undecided(self) -> dict[str, list[Scalar]]:
@@ -142,11 +120,6 @@ class Referee:
         """What set off no rule although one seems to wait for it, each with its entity, if it is about one."""
         names, trackers = self._state.roster.entities, self._trackers.trackers
         return [(names[one.entities[0]] if one.entities else "", one.missed) for one in trackers if one.missed]
-
-    @property
-    def spots(self) -> dict[str, tuple[float, float]]:
-        """Where the spots are now, by name: [x, y] in m."""
-        return self._state.spots
 
     @property
     def kept(self) -> dict[str, Any]:
@@ -182,7 +155,7 @@ class Referee:
         self._trackers.enter(state.phase, None)
         self._hits.report(self._clock_events.half_started)
         self._report_faults(snapshot.faults)
-        self._rounds.fire()
+        self.rounds.fire()
         self._scatter_starts()
         return self._output()
 
@@ -209,7 +182,7 @@ class Referee:
         if has_news or changed_phase or snapshot.faults or self._clock_events.times:
             self._report_moments(snapshot.faults)
         if self._hits:
-            self._rounds.fire()
+            self.rounds.fire()
         if self._events or self._firings or self._queue.busy or self._broadcast is not None:
             return self._output()
         return self._quiet_output()
@@ -235,13 +208,13 @@ class Referee:
         placements = self._settle()
         by = "time" if ended is None else "rule"
         self._hits.report([binding for wanted, binding in self._clock_events.half_ended if wanted in (None, by)])
-        settled, self._rounds.settling = self._rounds.settling, 0
-        self._rounds.fire()
+        settled, self.rounds.settling = self.rounds.settling, 0
+        self.rounds.fire()
         placements += self._carry_out()
-        self._rounds.settling = settled
+        self.rounds.settling = settled
         placements += self._settle()
         if self._hits:
-            self._rounds.log_unsettled()
+            self.rounds.log_unsettled()
         if not self._state.match_over:
             self._state.ended = ended  # what is over cannot end once more
         return replace(self._output(), placements=placements)
@@ -255,10 +228,10 @@ class Referee:
         while True:
             self._report_changes()
             self._trackers.settle()
-            if not self._hits or self._rounds.settling == MOST_PASSES:
+            if not self._hits or self.rounds.settling == MOST_PASSES:
                 return placements
-            self._rounds.settling += 1
-            self._rounds.fire()
+            self.rounds.settling += 1
+            self.rounds.fire()
             placements += self._carry_out()
 
     def bring_back(self, entity: int, pose: Pose2) -> None:
@@ -376,7 +349,7 @@ class Referee:
         name = state.roster.entities[job.entity]
         record = FiringRecord(
             state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other,
-            settling=self._rounds.settling,
+            settling=self.rounds.settling,
         )  # fmt: skip
         self._firings.append(record)
 

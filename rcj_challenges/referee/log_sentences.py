@@ -6,9 +6,8 @@ import random
 import re
 
 from rcj_challenges.core.amounts import add_up, distinct_decimals, number_words, round_score
-from rcj_challenges.referee.bodies import Bodies
+from rcj_challenges.referee.bodies import Bodies, PlacementBoard
 from rcj_challenges.referee.placement import PlacementJob, PlacementSpec
-from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.phrasing import plain
 from rcj_challenges.rules.values.word import team_name_of

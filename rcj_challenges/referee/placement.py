@@ -10,8 +10,7 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 from rcj_challenges.core.play import Placement, Pose2
-from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.referee.placement_board import PlacementBoard
+from rcj_challenges.referee.bodies import Bodies, PlacementBoard
 from rcj_challenges.referee.state import State, float32
 from rcj_challenges.rules.placement import RandomFacing, Towards, compile_facing
 from rcj_challenges.tracking.bound_rules import BoundRule

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import distance_to_segment_m
 from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Outside, Region
-from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.state import State
-from rcj_challenges.referee.zones import region_of
+from rcj_challenges.referee.zones import point_sampler, region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone
@@ -23,9 +22,8 @@ from rcj_challenges.scenario.rule_effects import roles_in, spots_set_by_rules, w
 from rcj_challenges.tracking.circles import AnchoredCircle
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
-from rcj_challenges.tracking.places import Anchor, Poses, StartPose
+from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
 from rcj_challenges.tracking.state import Number
-from rcj_challenges.tracking.target import Target
 
 _T = TypeVar("_T")
 _W = TypeVar("_W")

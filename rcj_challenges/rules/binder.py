@@ -10,11 +10,10 @@ from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, TriggerBin
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
-from rcj_challenges.tracking.places import Anchor, Poses, StartPose
+from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
 from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.sequences import SequenceTracker
 from rcj_challenges.tracking.state import Number, RefereeState
-from rcj_challenges.tracking.target import Target
 from rcj_challenges.tracking.trackers import Tracker
 
 if TYPE_CHECKING:

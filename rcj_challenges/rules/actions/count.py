@@ -1,14 +1,18 @@
 """The action ``count``."""
 
-from typing import Annotated, Literal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Annotated, Literal
 
-from rcj_challenges.core.amounts import round_score
+from rcj_challenges.core.amounts import plain, round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Number, Phrases
-from rcj_challenges.rules.bounds import bounds_words, change_bound
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_COUNTER
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.number import takes_away
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.actions.score import Score
 
 
 class Count(Action):
@@ -88,3 +92,31 @@ expect:
         if self.by is not None and takes_away(self.by):
             return f"{counter} falls by {amount_words(phrases, self.by, negate=True)}{bounds}"
         return f"{counter} grows by {amount_words(phrases, 1 if self.by is None else self.by)}{bounds}"
+
+
+# --- floors and ceilings: how far an action takes a score or a counter ------------------------------------------------
+
+
+def change_bound(model: "Count | Score") -> Callable[[Number, Number], Number]:
+    """Return a function from an amount and the total before it to the amount that is added.
+
+    It goes as far as ``keeps_at_least`` or ``keeps_at_most`` and no further. What lies beyond already stays where it
+    is: losing points never raises a score.
+    """
+    least, most = model.keeps_at_least, model.keeps_at_most
+
+    def change(amount: Number, before: Number) -> Number:
+        if least is not None and amount < 0:
+            return max(amount, min(0, plain(least) - before))
+        if most is not None and amount > 0:
+            return min(amount, max(0, plain(most) - before))
+        return amount
+
+    return change
+
+
+def bounds_words(action: "Count | Score", total: str) -> str:
+    """The change of the total by an action, in words."""
+    ways = (("fall below", action.keeps_at_least), ("rise above", action.keeps_at_most))
+    totals = [f"{way} {number(one)}" for way, one in ways if one is not None]
+    return f" (the {total} does not {' or '.join(totals)} by it)" if totals else ""

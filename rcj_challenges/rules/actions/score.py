@@ -5,8 +5,8 @@ from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import plain as plain_number
 from rcj_challenges.core.amounts import round_score
+from rcj_challenges.rules.actions.count import bounds_words, change_bound
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
-from rcj_challenges.rules.bounds import bounds_words, change_bound
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Name, Strict, described
 from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE, counted
