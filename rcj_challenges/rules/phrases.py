@@ -66,9 +66,6 @@ class Phrases(Protocol):
     def drawn(self, draw: str, written: Scalar) -> str:
         """Return a value of a draw: ``“west”``; of a name that stands for something in the rule, that: ``it``."""
 
-    def is_set(self, draw: str) -> bool:
-        """Return whether rules set a draw from the start of each half, so that chance decides nothing."""
-
     def entrant(self, name: str) -> str:
         """Return an entrant: ``yellow``, ``the other team``; of a robot ``its team``."""
 
@@ -91,7 +88,7 @@ class Phrases(Protocol):
         """Return whether a name stands for an entity, and not for a spot or a draw."""
 
     def what_drawn(self, draw: str) -> str:
-        """Return a draw's value in words: ``what was drawn as “target”``, of one that rules set ``what “king” is``."""
+        """Return a draw's value in words: ``what was drawn as “target”``."""
 
     # --- for actions ------------------------------------------------------------------------------------------------
 

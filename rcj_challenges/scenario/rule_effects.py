@@ -7,15 +7,15 @@ from itertools import groupby
 from operator import attrgetter
 from typing import Any
 
-from rcj_challenges.rules.base import Condition, ValueWord, Word
-from rcj_challenges.rules.effects import Draws, HalfStart, Places, PlacesLayout, SetsPhase, SetsSpot, Touch
+from rcj_challenges.rules.base import Condition, Word
+from rcj_challenges.rules.effects import HalfStart, Places, PlacesLayout, SetsPhase, SetsSpot, Touch
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.placement import places
 from rcj_challenges.rules.refs import SCORED, Ref, SectionRef, drawn_value, ref_of, refs_of
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.placeholders import placeholders_in
-from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, has_other, with_each
+from rcj_challenges.scenario.roster import EACH, OTHER, has_other, with_each
 from rcj_challenges.scenario.walk import walk
 
 
@@ -44,41 +44,6 @@ def rules_at_start(scenario: Scenario) -> Iterator[tuple[Rule, bool]]:
 _PRIORITY = attrgetter("priority")
 
 
-def _firing_each_half(scenario: Scenario) -> list[Rule]:
-    return [rule for rule, surely in rules_at_start(scenario) if surely]
-
-
-# --- draws ------------------------------------------------------------------------------------------------------------
-
-
-def set_from_the_start(scenario: Scenario) -> frozenset[str]:
-    """Return the draws that rules set as each half starts and that nothing draws again: chance never decides them."""
-    setting = {
-        one.draw
-        for rule in _firing_each_half(scenario)
-        for one in rule.effects(Draws)
-        if one.value is not None and (one.value not in BOUND or one.value in scenario.draws[one.draw].values)
-    }
-    drawn = {one.draw for one in scenario.effects(Draws) if one.value is None}
-    return frozenset(setting - drawn - (_used_at_start(scenario) if setting else set()))
-
-
-def _used_at_start(scenario: Scenario) -> set[str]:
-    """Return the names in rules that fire at the start, which see what was drawn, and in durations."""
-    lasting = [one.lasts_s for section in (scenario.timers, scenario.phases) for one in section.values()]
-    rules = [rule for rule in scenario.rules.values() if rule.moments(HalfStart)]
-    others = [one for rule in rules for one in rule.actions if not any(isinstance(e, Draws) for e in one.effects())]
-    named = (*(one for one in lasting if isinstance(one, ValueWord)), *(one for r in rules for one in r.conditions))
-    return {name for model in (*named, *others) for name in _texts(model.model_dump())}
-
-
-def _texts(data: Any) -> Iterator[str]:
-    if isinstance(data, str):
-        yield data
-    for inner in data.values() if isinstance(data, dict) else data if isinstance(data, list | tuple) else ():
-        yield from _texts(inner)
-
-
 # --- spots ------------------------------------------------------------------------------------------------------------
 
 
@@ -96,7 +61,8 @@ def fixed_spots(scenario: Scenario) -> dict[str, Spot]:
 
 def spots_set_at_start(scenario: Scenario) -> tuple[str, ...]:
     """Return the spots that a rule always sets as a half starts: they are never where the file has them."""
-    named = {e.spot for rule in _firing_each_half(scenario) for e in rule.effects(SetsSpot) if e.at is not None}
+    each_half = (rule for rule, surely in rules_at_start(scenario) if surely)
+    named = {one.spot for rule in each_half for one in rule.effects(SetsSpot) if one.at is not None}
     return tuple(name for name in scenario.spots if name in named)
 
 

@@ -49,7 +49,4 @@ class DrawIs(Condition):
         if self.equals is None:
             return self._bounded().describe(phrases)
         value, draw = phrases.drawn(self.draw, self.equals), quoted_measure(self.draw)
-        no = "not " if self.negate else ""
-        if not phrases.is_set(self.draw):
-            return f"{value} was {no}drawn as {draw}"
-        return f"{value} is {no}{draw}" if value == phrases.thing("each") else f"{draw} is {no}{value}"
+        return f"{value} was {'not ' if self.negate else ''}drawn as {draw}"

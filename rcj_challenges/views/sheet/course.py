@@ -91,8 +91,6 @@ def _begin_words(phrases: Phrasebook, keep: str | None) -> str:
 
 def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
     times = Tally(value_words(phrases, entry) for entry in draw.values)
-    if phrases.is_set(name):
-        return f"{quoted_measure(name)} is {listed(list(times), 'or')}, as rules set it."
     often = len(times) < len(draw.values)
     values = listed(
         [f"{word} ({count} of {len(draw.values)})" if often else word for word, count in times.items()], "or"

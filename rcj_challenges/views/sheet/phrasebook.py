@@ -12,7 +12,7 @@ from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND, ENTRANTS, OTHER, WALLS, Roster, as_tuple, with_each
-from rcj_challenges.scenario.rule_effects import names_other, set_from_the_start
+from rcj_challenges.scenario.rule_effects import names_other
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Written where triggers of one rule measure different things."""
@@ -33,24 +33,21 @@ _WITHOUT_ARTICLE = frozenset(
 class Phrasebook:
     """Writes the names of a scenario with the articles that belong to them.
 
-    The rule decides what ``each`` and ``other`` are; ``set_draws``: the result of `set_from_the_start`, if it is known.
+    The rule decides what ``each`` and ``other`` are.
     """
 
-    def __init__(
-        self, scenario: Scenario, roster: Roster, rule: Rule | None = None, set_draws: frozenset[str] | None = None
-    ) -> None:
+    def __init__(self, scenario: Scenario, roster: Roster, rule: Rule | None = None) -> None:
         self.scenario = scenario
         self.roster = roster
         self.period = scenario.match.period
         self.each = None if rule is None else rule.for_each
-        self._set_draws = set_from_the_start(scenario) if set_draws is None else set_draws
         measured = {trigger.MEASURED or _MEASURED_BY_SEVERAL for trigger in rule.triggers} if rule is not None else ()
         self.measured = next(iter(measured)) if len(measured) == 1 else _MEASURED_BY_SEVERAL
         self.other = self._touched(rule) if rule is not None and names_other(rule, scenario) else "what is touched"
 
     def within(self, rule: Rule) -> Phrasebook:
         """Return the phrasebook of one rule."""
-        return Phrasebook(self.scenario, self.roster, rule, self._set_draws)
+        return Phrasebook(self.scenario, self.roster, rule)
 
     # --- names -------------------------------------------------------------------------------------------------------
 
@@ -248,12 +245,8 @@ class Phrasebook:
 
     # --- draws -------------------------------------------------------------------------------------------------------
 
-    def is_set(self, draw: str) -> bool:
-        return draw in self._set_draws
-
     def what_drawn(self, draw: str) -> str:
-        name = quoted_measure(draw)
-        return f"what {name} is" if self.is_set(draw) else f"what was drawn as {name}"
+        return f"what was drawn as {quoted_measure(draw)}"
 
     def drawn(self, draw: str, written: Scalar) -> str:
         if isinstance(written, str) and written in BOUND and written not in self.scenario.draws[draw].values:
@@ -280,7 +273,7 @@ class Phrasebook:
     def _place_drawn(self, draw: str) -> str:
         """Return the place that a draw decides on: ``the gate drawn as “door” (gate 1 or gate 2)``."""
         among = self.roster.drawn.get(draw, ())
-        kind, drawn = self.one_kind(among), f"{'that is' if self.is_set(draw) else 'drawn as'} {quoted(draw)}"
+        kind, drawn = self.one_kind(among), f"drawn as {quoted(draw)}"
         if kind not in ("zone", "gate"):
             return f"the {kind} {drawn}" if kind else ""
         named = f" ({listed([self.thing(one) for one in among], 'or')})" if len(among) <= _MAX_NAMED else ""
