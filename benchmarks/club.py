@@ -174,13 +174,13 @@ def _played_again(site: Site) -> int:
     """Have some matches played again; returns how many ended differently or not at all."""
     from django.utils import timezone  # noqa: PLC0415 - once Django is set up
 
-    from rcj_challenges.web import jobs, seasons  # noqa: PLC0415
+    from rcj_challenges.web import jobs  # noqa: PLC0415
     from rcj_challenges.web.models import Job, JobState, Match  # noqa: PLC0415
 
     matches = Match.objects.filter(played_at__isnull=False).order_by("number")
     step = max(1, matches.count() // _AGAIN)
     with jobs.writing():
-        asked = [seasons.enqueue(match, "again", timezone.now()).pk for match in matches[::step]][:_AGAIN]
+        asked = [jobs.enqueue("again", match, timezone.now()).pk for match in matches[::step]][:_AGAIN]
     until = time.monotonic() + _SETTLE_S
     waiting = Job.objects.filter(pk__in=asked).exclude(state__in=(JobState.DONE, JobState.STUCK))
     while waiting.exists() and time.monotonic() < until and site.process.poll() is None:

@@ -189,14 +189,12 @@ def rate(
 
     Exit status: 0: as published; 2: the published table or seeds are not those that follow from the results.
     """
-    from pydantic import ValidationError
-
     from rcj_challenges.web.ladder.published import Results, ensure_consistent, fit_of, table_of
 
     try:
         published = Results.model_validate_json(_read(results))
         table = table_of(published, fit_of(published))
-    except (ValidationError, ValueError) as error:
+    except ValueError as error:
         message = f"{sanitize(results)}: these are no results of a season"
         raise RcjError(message, "give the address that the page of the ladder links to", code=BAD_RESULTS) from error
     if not check:

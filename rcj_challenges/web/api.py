@@ -12,12 +12,12 @@ from django.utils import timezone
 from ninja import NinjaAPI, Schema, Status
 from ninja.security import HttpBearer
 
+from rcj_challenges.web import seasons
 from rcj_challenges.web.accounts import team_of_code
 from rcj_challenges.web.codes import NO_FILE, NO_LADDER
 from rcj_challenges.web.ladder.published import Results
 from rcj_challenges.web.models import Entry, Season, Submission, Team
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
-from rcj_challenges.web.seasons import shown_basis
 from rcj_challenges.web.tables import standings_of
 from rcj_challenges.web.views.team import begun, progress_of
 
@@ -100,7 +100,7 @@ def hand_in(request: HttpRequest) -> Status[dict[str, Any]]:
         )
     begun_at = begun(request)
     try:
-        season = ensure_may_upload(team, Season.objects.filter(is_current=True).first(), begun_at)
+        season = ensure_may_upload(team, seasons.current(), begun_at)
         return Status(201, _receipt(receive(team, season, path, sha256, size, begun_at, timezone.now(), "api")))
     except RefusedError as refused:
         return Status(refused.status, {"code": refused.code, "message": str(refused)})
@@ -120,7 +120,7 @@ def look_up(request: HttpRequest, pk: int) -> Status[dict[str, Any]]:
 @api.get("seasons/{pk}/results", auth=None, response={200: Results, 404: Problem})
 def season_results(request: HttpRequest, pk: int) -> Status[Results | dict[str, str]]:  # noqa: ARG001 - the name is the library's
     """Return all that the table of a season follows from, and the table."""
-    basis = shown_basis(Season.objects.filter(pk=pk).first())
+    basis = seasons.shown_basis(Season.objects.filter(pk=pk).first())
     if basis is None:
         return Status(404, {"code": NO_LADDER, "message": "there is no season with this number that has begun"})
     return Status(200, standings_of(basis).published)
@@ -130,7 +130,7 @@ def season_results(request: HttpRequest, pk: int) -> Status[Results | dict[str, 
 def me(request: HttpRequest) -> dict[str, Any]:
     """Return the team of the code, and what it can hand in for."""
     team: Team = request.auth  # type: ignore[attr-defined]  # set by the library
-    season = Season.objects.filter(is_current=True).first()
+    season = seasons.current()
     return {
         "team": team.name,
         "season": season.title if season else None,

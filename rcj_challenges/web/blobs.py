@@ -54,9 +54,8 @@ class Blobs:
                 os.close(descriptor)
         return target
 
-    def keep_file(self, path: Path) -> tuple[str, int]:
-        """Keep a copy of any file; return its SHA-256 and size in bytes."""
-        data = path.read_bytes()
+    def keep_bytes(self, data: bytes) -> tuple[str, int]:
+        """Keep an archive; return its SHA-256 and size in bytes."""
         sha256 = hashlib.sha256(data).hexdigest()
         received = self.incoming / f"copy-{os.getpid()}-{sha256}"
         received.write_bytes(data)

@@ -21,11 +21,18 @@ _MATCH_FOLDER = "rcj_soccer_team_blue"
 """What the sample teams for a match have; those for challenges have others."""
 
 
-def match_samples() -> dict[str, Path]:
-    """Return the folders of the sample teams for matches, by name."""
-    from rcj_challenges.scenario.resources import shipped_teams  # noqa: PLC0415 - loads the code of scenarios
+def match_samples(scenario: str = "match") -> dict[str, Path]:
+    """Return the folders of the sample teams for matches, by name.
 
-    return {name: team for name, team in shipped_teams().items() if (team / _MATCH_FOLDER).is_dir()}
+    One whose name begins with that of a scenario is made for the robots of that one.
+    """
+    from rcj_challenges.scenario.resources import shipped_scenarios, shipped_teams  # noqa: PLC0415 - loads scenarios
+
+    def is_for(name: str) -> str:
+        return max((one for one in shipped_scenarios() if name.startswith(one)), key=len, default=scenario)
+
+    found = {name: team for name, team in shipped_teams().items() if (team / _MATCH_FOLDER).is_dir()}
+    return {name: team for name, team in found.items() if is_for(name) == scenario}
 
 
 def make_demo(samples: Mapping[str, Path]) -> Iterator[str]:

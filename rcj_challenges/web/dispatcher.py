@@ -213,7 +213,7 @@ class Dispatcher:
             return lambda _: None
 
         def store(_job: Job) -> None:  # runs only if the result still counts: the team may have been deleted since
-            accept_repaired(submission, *self._blobs.keep_file(Path(answer["repaired"])), self._now())
+            accept_repaired(submission, *self._blobs.keep_bytes(Path(answer["repaired"]).read_bytes()), self._now())
 
         return store
 

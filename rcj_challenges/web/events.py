@@ -85,7 +85,7 @@ def attend(now: datetime) -> None:
     due = Event.objects.filter(Q(plays=True) | Q(publish_at__lte=now))
     for event in due.exclude(job__state__in=(JobState.QUEUED, JobState.RUNNING, JobState.STUCK)):
         with jobs.writing():
-            jobs.enqueue("event", event.pk, now, event=event)
+            jobs.enqueue("event", event, now)
 
 
 # --- the matches ------------------------------------------------------------------------------------------------------

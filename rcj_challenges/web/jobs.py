@@ -19,7 +19,7 @@ from django.db.models.functions import Coalesce
 from django.utils import timezone
 
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.models import Entry, Invite, Job, JobState, State, Submission, Team, Worker
+from rcj_challenges.web.models import Entry, Event, Invite, Job, JobState, Match, State, Submission, Team, Worker
 
 LEASE = timedelta(seconds=60)
 HEARTBEAT_S = 5.0
@@ -70,26 +70,22 @@ def database_now() -> datetime:
     return now
 
 
-def enqueue(kind: str, pk: int, now: datetime, **fields: Any) -> Job:
+def enqueue(kind: str, about: Submission | Match | Event, now: datetime, team: Team | None = None) -> Job:
     """Put something into the queue, or once more if that is done; called inside `writing`.
 
     Args:
         kind: of the job, as in `PRIORITY`.
-        pk: of what it is about.
+        about: what it is about.
         now: the time.
-        fields: more of the job.
+        team: whose lane time it takes; of a submission that of its team.
     """
     queued = {"state": JobState.QUEUED, "tries": 0, "not_before": now, "error": ""}
-    made = {"kind": kind, "priority": PRIORITY[kind], "created_at": now, **fields}
-    job, is_new = Job.objects.get_or_create(key=f"{kind}/{pk}", defaults={**made, **queued})
+    made = {"kind": kind, "priority": PRIORITY[kind], "created_at": now, type(about).__name__.lower(): about}
+    made["team"] = about.team if isinstance(about, Submission) else team
+    job, is_new = Job.objects.get_or_create(key=f"{kind}/{about.pk}", defaults={**made, **queued})
     if not is_new:
         Job.objects.filter(pk=job.pk, state=JobState.DONE).update(**queued)
     return job
-
-
-def enqueue_check(submission: Submission, now: datetime) -> Job:
-    """Put the check of a submission into the queue; called inside `writing`."""
-    return enqueue("check", submission.pk, now, submission=submission, team=submission.team)
 
 
 def waiting(now: datetime) -> QuerySet[Job]:

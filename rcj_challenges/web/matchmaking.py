@@ -47,7 +47,7 @@ def _add_again(basis: Basis, wanted: int, now: datetime) -> int:
     with jobs.writing():
         matches = seasons.open_rated(basis).filter(job=None).order_by("number")[:wanted]
         for match in matches:
-            seasons.enqueue(match, "ladder", now)
+            jobs.enqueue("ladder", match, now)
         if not seasons.open_rated(basis).exists():
             Basis.objects.filter(pk=basis.pk).update(is_whole=True)
         return len(matches)
@@ -65,7 +65,7 @@ def _add_chosen(basis: Basis, wanted: int, now: datetime) -> int:
         pairs = [(table.playing[one.blue][0], table.playing[one.yellow][0]) for one in chosen]
         matches = seasons.add_matches(basis, MatchKind.RATED, pairs, now)
         for match, one in zip(matches, chosen, strict=True):
-            seasons.enqueue(match, "placement" if one.is_placement else "ladder", now)
+            jobs.enqueue("placement" if one.is_placement else "ladder", match, now)
     return len(matches)
 
 

@@ -12,7 +12,7 @@ from django.core.validators import MaxValueValidator, MinValueValidator
 from django.db import models
 from django.db.models import Q
 from django.utils import timezone
-from django.utils.translation import gettext_lazy
+from django.utils.translation import gettext_lazy as _
 
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.tournament.seeds import seed_hash
@@ -166,10 +166,10 @@ class Season(models.Model):
 class First(models.TextChoices):
     """The first stage of an event."""
 
-    GROUPS = "groups", gettext_lazy("groups: all of each group meet")
-    SWISS = "swiss", gettext_lazy("Swiss: in each round, teams with equal points meet")
-    FINALS = "finals", gettext_lazy("none, only the knock-out")
-    CHALLENGE = "challenge", gettext_lazy("challenge: each team plays alone, for a scenario with one team")
+    GROUPS = "groups", _("groups: all of each group meet")
+    SWISS = "swiss", _("Swiss: in each round, teams with equal points meet")
+    FINALS = "finals", _("none, only the knock-out")
+    CHALLENGE = "challenge", _("challenge: each team plays alone, for a scenario with one team")
 
 
 def new_seed() -> str:
@@ -182,7 +182,7 @@ def _within(least: int, most: int) -> tuple[MinValueValidator, MaxValueValidator
 
 
 _AHEAD = (
-    MinValueValidator(timezone.now, gettext_lazy("This time has passed.")),
+    MinValueValidator(timezone.now, _("This time has passed.")),
     MaxValueValidator(datetime(2200, 1, 1, tzinfo=UTC)),
 )
 
@@ -203,26 +203,17 @@ class Event(models.Model):
     """
 
     season = models.ForeignKey(Season, on_delete=models.PROTECT)
-    title = models.CharField(gettext_lazy("Title"), max_length=80)
-    deadline = models.DateTimeField(gettext_lazy("Deadline"), validators=_AHEAD)
-    first = models.CharField(gettext_lazy("First stage"), max_length=10, choices=First.choices, default=First.GROUPS)
-    groups = models.IntegerField(gettext_lazy("Groups"), default=1, validators=_within(1, 26))
-    rounds = models.IntegerField(gettext_lazy("Rounds of a Swiss stage"), default=5, validators=_within(1, 64))
+    title = models.CharField(_("Title"), max_length=80)
+    deadline = models.DateTimeField(_("Deadline"), validators=_AHEAD)
+    first = models.CharField(_("First stage"), max_length=10, choices=First.choices, default=First.GROUPS)
+    groups = models.IntegerField(_("Groups"), default=1, validators=_within(1, 26))
+    rounds = models.IntegerField(_("Rounds of a Swiss stage"), default=5, validators=_within(1, 64))
     finalists = models.IntegerField(
-        gettext_lazy("Teams that reach the knock-out, of each group; 0: there is none"),
-        default=4,
-        validators=_within(0, 64),
+        _("Teams in the finals, of each group; 0: none"), default=4, validators=_within(0, 64)
     )
-    seeds = models.IntegerField(gettext_lazy("Runs of a challenge"), default=5, validators=_within(1, 1000))
-    premiere = models.DateTimeField(
-        gettext_lazy("First premiere of the last stage; empty: results are shown as soon as they are known"),
-        null=True,
-        blank=True,
-        validators=_AHEAD,
-    )
-    minutes_between = models.IntegerField(
-        gettext_lazy("Minutes between premieres"), default=30, validators=_within(0, 10_080)
-    )
+    seeds = models.IntegerField(_("Runs of a challenge"), default=5, validators=_within(1, 1000))
+    premiere = models.DateTimeField(_("First premiere of the last stage"), null=True, blank=True, validators=_AHEAD)
+    minutes_between = models.IntegerField(_("Minutes between premieres"), default=30, validators=_within(0, 10_080))
     address = models.CharField(max_length=200)
     seed = models.CharField(max_length=64, default=new_seed)
     closed_at = models.DateTimeField(null=True)

@@ -28,14 +28,9 @@ def environment(**options: Any) -> Environment:
     options |= {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True, "undefined": StrictUndefined}
     made = Environment(extensions=["jinja2.ext.i18n"], **options)  # noqa: S701 - it is on
     made.install_gettext_callables(translation.gettext, translation.ngettext, newstyle=True)  # type: ignore[attr-defined]
-    made.filters |= {
-        "time": format_time,
-        "shown": sanitize,
-        "block": sanitize_block,
-        "bytes": _format_bytes,
-        "score": plain,
-        "clock": _format_ticks,
-    }
+    made.filters.update(
+        time=format_time, shown=sanitize, block=sanitize_block, bytes=_format_bytes, score=plain, clock=_format_ticks
+    )
     made.globals |= {"url": reverse, "site_title": current_site().title}
     return made
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error
+from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace
 from rcj_challenges.web.blobs import Blobs, match_folder
 
 if TYPE_CHECKING:
@@ -35,9 +35,7 @@ class MatchPlace(Workplace):
             DiagnosticError: it is not there.
         """
         path = self._blobs.path(archive)
-        if not path.is_file():
-            raise data_file_error(path, "no such file")
-        return path
+        return path if path.is_file() else super().submission(archive)
 
 
 def job_of(match: Match, sandbox: str) -> MatchJob:

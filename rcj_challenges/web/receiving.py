@@ -160,7 +160,7 @@ def _record(
         )
         _link_report(earlier, submission)
     else:
-        jobs.enqueue_check(submission, now)
+        jobs.enqueue("check", submission, now)
     if not Blobs(current_site().folder).path(sha256).exists():  # a team with the same bytes was deleted just now
         raise RefusedError(503, NOT_STORED, gettext("the site could not store it; try again"))
     return submission

@@ -5,7 +5,7 @@ from __future__ import annotations
 import secrets
 import shutil
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from datetime import datetime
 from typing import TYPE_CHECKING, Any
@@ -21,19 +21,7 @@ from rcj_challenges.web.config import current_site
 from rcj_challenges.web.demo import match_samples, zipped
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.ladder import published
-from rcj_challenges.web.models import (
-    Basis,
-    Entry,
-    Group,
-    Job,
-    Match,
-    MatchKind,
-    Season,
-    Show,
-    State,
-    Submission,
-    Team,
-)
+from rcj_challenges.web.models import Basis, Entry, Group, Job, Match, MatchKind, Season, Show, State, Submission, Team
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant
@@ -50,6 +38,11 @@ SIDES = ("blue", "yellow")
 def own_versions() -> dict[str, str]:
     """The versions that decide the bits of results on this computer."""
     return deciding(versions().model_dump())
+
+
+def current() -> Season | None:
+    """The season that is on, whether its ladder is played or not."""
+    return Season.objects.filter(is_current=True).first()
 
 
 def running() -> Season | None:
@@ -94,20 +87,23 @@ def begin(season: Season, now: datetime) -> None:
     Raises:
         RcjError: its scenario cannot be played, or is not for two teams.
     """
+    from rcj_challenges.submissions.team import TeamError, open_team  # noqa: PLC0415 - loads the code of programs
+
     scenario, entrants = _kept_scenario(season)
-    samples = list(_kept_samples(season.scenario, entrants))
     secret = secrets.token_hex(_SECRET_BYTES)
     pinned = {"begun_at": now, "secret": secret, "secret_hash": published.secret_hash(secret)}
     with jobs.writing():
         if Season.objects.filter(pk=season.pk, begun_at=None).update(**pinned):
             Basis.objects.create(season=season, scenario=scenario, versions=own_versions(), made_at=now)
             group, _ = Group.objects.get_or_create(label=_SAMPLES)
-            for name, sha256, size_bytes, digest in samples:
-                team, _ = Team.objects.get_or_create(group=group, name=name, defaults={"is_name_public": True})
-                Submission.objects.create(
-                    team=team, season=season, number=1, sha256=sha256, size_bytes=size_bytes, begun_at=now,
-                    received_at=now, via="sample", state=State.ACCEPTED, digest=digest,
-                )  # fmt: skip
+            for folder in match_samples(season.scenario).values():
+                with suppress(TeamError), open_team(folder, *entrants) as opened:
+                    team, _ = group.team_set.get_or_create(name=opened.name, defaults={"is_name_public": True})
+                    sha256, size_bytes = Blobs(current_site().folder).keep_bytes(zipped(folder))
+                    Submission.objects.create(
+                        team=team, season=season, number=1, sha256=sha256, size_bytes=size_bytes, begun_at=now,
+                        received_at=now, via="sample", state=State.ACCEPTED, digest=opened.digest,
+                    )  # fmt: skip
 
 
 def end(season: Season, now: datetime) -> None:
@@ -157,25 +153,6 @@ def _kept_scenario(season: Season) -> tuple[str, list[Entrant]]:
     return MatchPlace(current_site().folder).keep_scenario(loaded), list(loaded.scenario.entrants.values())
 
 
-def _kept_samples(scenario: str, entrants: Iterable[Entrant]) -> Iterator[tuple[str, str, int, str]]:
-    """Keep the sample teams that can play, for practice; yield name, hash and size of the archive, and digest.
-
-    One whose name begins with that of a scenario is made for the robots of that one.
-    """
-    from rcj_challenges.scenario.resources import shipped_scenarios  # noqa: PLC0415 - as above
-    from rcj_challenges.submissions.team import TeamError, open_team  # noqa: PLC0415 - as above
-
-    blobs = Blobs(current_site().folder)
-    for name, folder in match_samples().items():
-        if max((one for one in shipped_scenarios() if name.startswith(one)), key=len, default=scenario) != scenario:
-            continue
-        with suppress(TeamError), open_team(folder, *entrants) as opened:
-            received = blobs.incoming / f"sample-{name}"
-            received.write_bytes(zipped(folder))
-            yield opened.name, *blobs.keep_file(received), opened.digest
-            received.unlink()
-
-
 def seed_of(secret: str, kind: str, number: int) -> int:
     """Return the seed of a match."""
     return published.seed_of(secret, str(number) if kind == MatchKind.RATED else f"{kind}/{number}")
@@ -196,19 +173,16 @@ def add_matches(
     ]  # fmt: skip
 
 
-def open_rated(basis: Basis) -> QuerySet[Match]:
+def open_rated(basis: Basis | None) -> QuerySet[Match]:
     """Return the rated matches of a basis that are still to be played."""
     return Match.objects.filter(basis=basis, kind=MatchKind.RATED, played_at=None, void="")
 
 
-def with_sides(matches: Any) -> Any:
-    """Load the teams of matches with them."""
-    return matches.select_related("basis__season", "blue__team", "yellow__team").defer("blue__report", "yellow__report")
-
-
-def enqueue(match: Match, kind: str, now: datetime, **fields: Any) -> Job:
-    """Put a match into the queue, or one whose record is gone once more; called inside `jobs.writing`."""
-    return jobs.enqueue(kind, match.pk, now, match=match, **fields)
+def with_sides(found: Any, match: str = "") -> Any:
+    """Load the teams of matches with them; ``match`` leads from what was found to its match."""
+    sides = [f"{match}{side}" for side in SIDES]
+    teams = [f"{side}__team" for side in sides]
+    return found.select_related(f"{match}basis__season", *teams).defer(*(f"{side}__report" for side in sides))
 
 
 def store_result(match: Match, answer: Mapping[str, Any], now: datetime) -> None:

@@ -16,7 +16,7 @@ from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.blobs import record_folder, stage_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.models import Match, MatchKind, Season, Show
+from rcj_challenges.web.models import Basis, Match, MatchKind, Season, Show
 from rcj_challenges.web.stream import DATA, RELEASE
 from rcj_challenges.web.tables import standings_of
 
@@ -43,24 +43,22 @@ def public_replay(match: Match, own: Iterable[tuple[int, str]] = ()) -> ReplayDa
     return ReplayData(public_facts(replay.facts, own, unnamed), replay.poses)
 
 
-def candidates(season: Season | None) -> list[Match]:
-    """Return the last matches of a season whose replays are there, the newest first."""
+def candidates(basis: Basis | None) -> list[Match]:
+    """Return the last matches of a table whose replays are there, the newest first."""
     site = current_site().folder
-    basis = seasons.shown_basis(season)
-    played = Match.objects.filter(basis=basis, kind=MatchKind.RATED, void="")
-    there = played.filter(played_at__isnull=False, blue__team__deleted_at=None, yellow__team__deleted_at=None)
-    last = seasons.with_sides(there).annotate(shows=Count("show")).order_by("-played_at")[:_LOOKED_AT]
+    played = Match.objects.filter(basis=basis, kind=MatchKind.RATED, void="", played_at__isnull=False)
+    last = seasons.with_sides(played).annotate(shows=Count("show")).order_by("-played_at")[:_LOOKED_AT]
     return [match for match in last if (record_folder(site, match) / REPLAY).is_file()]
 
 
-def schedule(match: Match, after: datetime, now: datetime, *, is_chosen: bool) -> Show | None:
+def schedule(match: Match, after: datetime, now: datetime, *, is_chosen: bool) -> Show:
     """Put a match on the stage, at the first time after one when it is free.
 
     Args:
         match: that has been played.
         after: the earliest kick-off.
-        now: the time; what there is by itself and has not begun gives way to a match that is chosen.
-        is_chosen: whether an organizer wants it; else nothing is done if another match waits already.
+        now: the time; what is there by itself and has not begun gives way.
+        is_chosen: whether an organizer wants it.
 
     Raises:
         OSError: there is no replay of it at present.
@@ -79,12 +77,7 @@ def schedule(match: Match, after: datetime, now: datetime, *, is_chosen: bool) -
     length = timedelta(seconds=max(len(feed.ends) * STEP_S, feed.planned_s))
     with jobs.writing():
         Season.objects.select_for_update().get(pk=match.basis.season_id)  # one at a time plans
-        waiting = Show.objects.filter(begins_at__gt=now, is_chosen=False)
-        if is_chosen:
-            take_off(waiting)
-        elif waiting.exists():
-            shutil.rmtree(made)
-            return None
+        take_off(Show.objects.filter(begins_at__gt=now, is_chosen=False))
         begins_at = _free_time(max(after, now + LEAD), length)
         show = Show.objects.create(
             match=match, begins_at=begins_at, ends_at=begins_at + length, is_chosen=is_chosen, goals=feed.goals
@@ -105,8 +98,7 @@ def _free_time(after: datetime, length: timedelta) -> datetime:
 
 def fill(now: datetime) -> Show | None:
     """Put a match on the stage by itself, if none of that kind waits: the closest ratings of those shown least."""
-    season = seasons.running()
-    basis = seasons.shown_basis(season)
+    basis = seasons.shown_basis(seasons.running())
     if basis is None or Show.objects.filter(begins_at__gt=now, is_chosen=False).exists():
         return None
     table = standings_of(basis)
@@ -114,7 +106,7 @@ def fill(now: datetime) -> Show | None:
     def order(match: Any) -> tuple[int, int]:
         return match.shows, abs(table.fitted.value_of(match.blue.digest) - table.fitted.value_of(match.yellow.digest))
 
-    found = [one for one in candidates(season) if {one.blue.digest, one.yellow.digest} <= table.playing.keys()]
+    found = [one for one in candidates(basis) if {one.blue.digest, one.yellow.digest} <= table.playing.keys()]
     for match in sorted(found, key=order):
         with suppress(OSError, ValueError):  # its replay has just been dropped, or is damaged
             return schedule(match, now, now, is_chosen=False)

@@ -10,9 +10,9 @@ from collections.abc import Awaitable, Callable, Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
-from urllib.parse import parse_qs
 
 FEED = re.compile(r"/live/(\d{1,18})/feed")
+_START = re.compile(rb"(?:.*&)?from=(\d{1,12})")
 RELEASE, DATA = "release.json", "feed"
 """Files of a show: when it begins, in s, and how much may be sent at the end of each step; and what is sent."""
 
@@ -43,7 +43,7 @@ class Release(NamedTuple):
 
     begins_s: float
     step_s: float
-    ends: tuple[int, ...]
+    ends: list[int]
     data: bytes
 
     def released(self, now_s: float) -> tuple[int, float]:
@@ -54,8 +54,7 @@ class Release(NamedTuple):
 
 @lru_cache(maxsize=4)
 def _read(folder: Path) -> Release:
-    found = json.loads((folder / RELEASE).read_text("ascii"))
-    return Release(found["begins_s"], found["step_s"], tuple(found["ends"]), (folder / DATA).read_bytes())
+    return Release(**json.loads((folder / RELEASE).read_text("ascii")), data=(folder / DATA).read_bytes())
 
 
 class Stream:
@@ -73,9 +72,8 @@ class Stream:
 
     async def __call__(self, show: str, query: bytes, receive: Any, send: Any) -> None:
         """Send a feed from a byte on until its end, or until the show is taken off the stage."""
-        start = parse_qs(query.decode("latin-1")).get("from", ["0"])[0]
-        folder = self._folder / show
-        if not (start.isascii() and start.isdigit() and len(start) < 13):
+        start, folder = _START.fullmatch(query), self._folder / show
+        if start is None:
             await _refuse(send, 400)
         elif not (folder / RELEASE).is_file():
             await _refuse(send, 409)  # to the page: another match is shown now
@@ -85,7 +83,7 @@ class Stream:
             self._spectators += 1
             gone = asyncio.create_task(_disconnected(receive))
             try:
-                await self._send(folder, int(start), gone, send)
+                await self._send(folder, int(start[1]), gone, send)
             finally:
                 self._spectators -= 1
                 gone.cancel()
@@ -115,6 +113,6 @@ async def _disconnected(receive: Callable[[], Awaitable[Mapping[str, Any]]]) -> 
 
 
 async def _refuse(send: Any, status: int) -> None:
-    headers = [*_HEADERS, (b"content-length", b"0"), *([(b"retry-after", b"10")] if status == 503 else ())]
+    headers = [*_HEADERS, (b"content-length", b"0")]
     await send({"type": "http.response.start", "status": status, "headers": headers})
     await send({"type": "http.response.body", "body": b""})

@@ -23,7 +23,7 @@ from rcj_challenges.tournament.site import Published, SiteSource, hidden_fixture
 from rcj_challenges.tournament.site.model import Season
 from rcj_challenges.tournament.site.podium import ordinal
 from rcj_challenges.tournament.site.public import read_replay
-from rcj_challenges.tournament.site.schedule import appointments, as_csv, as_ics
+from rcj_challenges.tournament.site.schedule import Heading, appointments, as_csv, as_ics
 from tests.tournament.site_play import HOSTILE, NOW, SECRET, MadeUpSeason, make_season
 
 ROUNDS = {"groups": 5, "finals": 1, "super": 1, "skills": 1}
@@ -330,7 +330,9 @@ def test_no_name_is_a_formula_in_a_spreadsheet(scheduled: Season) -> None:
 
 
 def test_the_calendar_keeps_to_its_format(scheduled: Season) -> None:
-    text = as_ics(scheduled, appointments(scheduled))
+    source = scheduled.source
+    heading = Heading(source.id, source.title, source.time_zone, source.now, source.url)
+    text = as_ics(heading, appointments(scheduled))
     lines = text.split("\r\n")
     assert lines[0] == "BEGIN:VCALENDAR"
     assert lines[-2:] == ["END:VCALENDAR", ""]

@@ -78,7 +78,7 @@ def test_event_is_played_and_published_and_a_ruling_is_shown(site: SiteConfig) -
     assert not work(site)
     for path in ("index.html", "certificates/groups.html", "schedule.ics", "feed.json", "style.css"):
         assert anyone.get(f"/events/{event.pk}/{path}").status_code == 200
-    assert event.seed in anyone.get(f"/events/{event.pk}/about.html").content.decode()  # all is over
+    assert event.seed in anyone.get(f"/events/{event.pk}/about.html").getvalue().decode()  # all is over
     for path in (
         ".made_from.json",
         "../store.sqlite",
@@ -103,10 +103,10 @@ def test_event_is_played_and_published_and_a_ruling_is_shown(site: SiteConfig) -
     assert client.post(f"{desk}/rule", ruling).status_code == 302
     assert b"the judges saw it" in client.get(desk).content
     assert work(site)
-    assert b"7 : 1" in anyone.get(f"/events/{event.pk}/index.html").content
+    assert b"7 : 1" in anyone.get(f"/events/{event.pk}/index.html").getvalue()
     assert client.post(f"{desk}/rule", {"match": match, "kind": "undone", "reason": "no"}).status_code == 302
     assert work(site)
-    assert b"7 : 1" not in anyone.get(f"/events/{event.pk}/index.html").content
+    assert b"7 : 1" not in anyone.get(f"/events/{event.pk}/index.html").getvalue()
     news = anyone.get("/feed.json").json()
     assert next(item["url"] for item in news["items"]).startswith("http://club/1/matches/")
     days = anyone.get("/calendar.ics").content.decode()
@@ -140,7 +140,7 @@ def test_of_a_team_that_is_deleted_results_stay_and_nothing_else(site: SiteConfi
     left = [path for path in folder.rglob("*") if path.is_file() and b"Team 0" in path.read_bytes()]
     assert left == []
     assert hash_of(tiny(0)) not in {hash_of(path.read_bytes()) for path in folder.rglob("*.zip")}
-    assert f"deleted team {first.pk}" in new_client().get(f"/events/{event.pk}/index.html").content.decode()
+    assert f"deleted team {first.pk}" in new_client().get(f"/events/{event.pk}/index.html").getvalue().decode()
     with use_store(event) as store:
         assert store.played() == before
 

@@ -313,7 +313,7 @@ def test_number_of_matches_is_not_shown_before_a_premiere_as_extra_time_is_one(
     make_team()
     event = make_event(premiere=premiere)
     with jobs.writing():
-        jobs.enqueue("event", event.pk, NOW, event=event)
+        jobs.enqueue("event", event, NOW)
     Job.objects.update(state=JobState.RUNNING, progress="11/12")
     assert (b"11/12" in new_client().get(f"/events/{event.pk}").content) == (not premiere)
     assert b"11/12" in organizer().get("/desk").content

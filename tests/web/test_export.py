@@ -38,7 +38,7 @@ def test_export_is_a_folder_that_a_tournament_takes(site: SiteConfig, tmp_path: 
     for number, team in enumerate(teams):
         received = blobs.incoming / str(number)
         received.write_bytes(small_team())
-        sha256, size = blobs.keep_file(received)
+        sha256, size = blobs.keep_bytes(received.read_bytes())
         submission = Submission.objects.create(
             team=team, season=Season.objects.get(), number=1, sha256=sha256, size_bytes=size, begun_at=NOW,
             received_at=NOW, via="page", state=State.ACCEPTED,

@@ -291,7 +291,7 @@ def test_match_that_cannot_be_played_is_voided_on_the_desk(ladder: list[Submissi
     match = Match.objects.get(number=1)
     Match.objects.filter(pk=match.pk).update(kind=kind, played_at=None, blue_goals=None, yellow_goals=None)
     with jobs.writing():
-        seasons.enqueue(match, "ladder", NOW)
+        jobs.enqueue("ladder", match, NOW)
     Job.objects.update(state=JobState.STUCK)
     client = organizer()
     assert f"/desk/matches/{match.pk}/void" in client.get("/desk").content.decode()

@@ -38,7 +38,7 @@ def accepted(config: SiteConfig, name: str, program: str = PLAYER, number: int =
     path.write_bytes(small_team(program))
     with open_team(path.rename(path.with_suffix(".zip")), *_entrants()) as opened:
         digest = opened.digest
-    sha256, size = Blobs(config.folder).keep_file(path.with_suffix(".zip"))
+    sha256, size = Blobs(config.folder).keep_bytes(path.with_suffix(".zip").read_bytes())
     season = Season.objects.get()
     made = Submission.objects.create(
         team=team, season=season, number=number, sha256=sha256, size_bytes=size, begun_at=NOW, received_at=NOW,
@@ -66,7 +66,7 @@ def add(basis: Basis, *pairs: tuple[Submission, Submission]) -> list[Match]:
     with jobs.writing():
         matches = seasons.add_matches(basis, MatchKind.RATED, pairs, NOW)
         for match in matches:
-            seasons.enqueue(match, "ladder", NOW)
+            jobs.enqueue("ladder", match, NOW)
     return matches
 
 
@@ -119,7 +119,7 @@ def test_match_is_played_with_its_seed_and_again_bit_for_bit_when_its_record_is_
     first = replay.read_text(encoding="utf-8")
     replay.unlink()
     with jobs.writing():
-        seasons.enqueue(match, "again", NOW)
+        jobs.enqueue("again", match, NOW)
     assert worker.do_next()
     again = Match.objects.get()
     assert (again.digest, again.blue_goals, again.played_at) == (match.digest, match.blue_goals, NOW)

@@ -18,7 +18,7 @@ from rcj_challenges.tournament.site.model import MatchView, Season
 from rcj_challenges.tournament.site.plots import distribution_plot, form_plot
 from rcj_challenges.tournament.site.podium import podiums, publish_certificates
 from rcj_challenges.tournament.site.render import Renderer, day
-from rcj_challenges.tournament.site.schedule import appointments, as_csv, as_feed, as_ics
+from rcj_challenges.tournament.site.schedule import Heading, appointments, as_csv, as_feed, as_ics
 from rcj_challenges.tournament.site.tree import Tree
 
 _ON_OVERVIEW = 8
@@ -45,7 +45,9 @@ def publish_overview(tree: Tree, renderer: Renderer, season: Season) -> None:
     zone = season.source.time_zone
     days = [(name, list(some)) for name, some in groupby(rows, key=lambda row: day(row.at, zone))]
     renderer.write(tree, "schedule.html", days=days)
-    tree.write("schedule.ics", as_ics(season, rows))
+    source = season.source
+    heading = Heading(source.id, source.title, source.time_zone, source.now, source.url)
+    tree.write("schedule.ics", as_ics(heading, rows))
     tree.write("schedule.csv", "\ufeff" + as_csv(season, rows))  # spreadsheets recognize UTF-8 by this mark
     tree.write("feed.json", as_feed(season))
     teams, cells = _met(season.released)

@@ -61,13 +61,9 @@ def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
     if record is None or match.played is None:
         return
     robots = _robots(record, match.played.result, match, team)
-    own = frozenset(robot for _, robot in robots)
     halves = [half["half"] for half in match.played.result.get("halves", ())]
-    for robot in sorted(own):
-        with suppress(OSError):
-            text = (record / LOGS / f"{robot}.log").read_text("utf-8", "replace")
-            if mine := own_log(text, halves, [half for half in halves if (half, robot) in robots]):
-                tree.write(f"{folder}/{robot}.log", mine)
+    for robot, text in own_logs(record, halves, robots).items():
+        tree.write(f"{folder}/{robot}.log", text)
     with suppress(OSError, ValueError):
         page = read_replay((record / REPLAY).read_text("utf-8"))
         facts = public_facts(page.facts, robots)
@@ -97,6 +93,17 @@ def driven(record: Path, result: Mapping[str, Any], is_own: Callable[[str, str],
         for robot in entrants.get(seat, {}).get("robots", {})
         if is_own(first_seat, robot)
     )
+
+
+def own_logs(record: Path, halves: Collection[int], robots: Collection[tuple[int, str]]) -> dict[str, str]:
+    """Return what the programs of some robots (half, robot) printed in a match with these halves, by robot."""
+    found = {}
+    for robot in sorted({robot for _, robot in robots}):
+        with suppress(OSError):
+            text = (record / LOGS / f"{robot}.log").read_text("utf-8", "replace")
+            if mine := own_log(text, halves, [half for half in halves if (half, robot) in robots]):
+                found[robot] = mine
+    return found
 
 
 def own_log(text: str, halves: Collection[int], own: Collection[int]) -> str:

@@ -5,13 +5,15 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime, timedelta, tzinfo
+from typing import NamedTuple
 
 from rcj_challenges.core.files import slug
 from rcj_challenges.tournament.csv_text import csv_text
 from rcj_challenges.tournament.season import humanized
 from rcj_challenges.tournament.site.model import MatchView, Season
 
+FEED_VERSION = "https://jsonfeed.org/version/1.1"
 _FOLD_BYTES = 73
 _MAX_NEWS = 100
 
@@ -33,6 +35,16 @@ class Appointment:
     title: str
     path: str
     match: MatchView | None = None
+
+
+class Heading(NamedTuple):
+    """What a calendar is of; the address is empty or ends in ``/``."""
+
+    id: str
+    title: str
+    time_zone: tzinfo
+    now: datetime
+    url: str
 
 
 def appointments(season: Season) -> tuple[Appointment, ...]:
@@ -86,25 +98,24 @@ def as_csv(season: Season, rows: Iterable[Appointment]) -> str:
     return csv_text(lines, "\r\n")
 
 
-def as_ics(season: Season, rows: Iterable[Appointment]) -> str:
-    """Return the schedule as a calendar (RFC 5545): times in UTC, lines folded within 75 bytes."""
-    source = season.source
+def as_ics(heading: Heading, rows: Iterable[Appointment]) -> str:
+    """Return a calendar (RFC 5545): times in UTC, lines folded within 75 bytes."""
     lines = [
         "BEGIN:VCALENDAR", "VERSION:2.0", "PRODID:-//rcj-challenges//tournament//EN", "CALSCALE:GREGORIAN",
-        f"X-WR-CALNAME:{_ics_text(source.title)}", f"X-WR-TIMEZONE:{source.time_zone}",
+        f"X-WR-CALNAME:{_ics_text(heading.title)}", f"X-WR-TIMEZONE:{heading.time_zone}",
     ]  # fmt: skip
     for row in rows:
         summary = f"{row.title} ({row.what})" if row.title else row.what
         lines += [
             "BEGIN:VEVENT",
-            f"UID:{row.id}@{source.id}.rcj-challenges",
-            f"DTSTAMP:{_utc(source.now)}",
+            f"UID:{row.id}@{heading.id}.rcj-challenges",
+            f"DTSTAMP:{_utc(heading.now)}",
             f"DTSTART:{_utc(row.at)}",
             f"DTEND:{_utc(row.at + _length(row))}",
             f"SUMMARY:{_ics_text(summary)}",
         ]
-        if source.url and row.path:
-            lines.append(f"URL:{source.url}{row.path}")
+        if heading.url and row.path:
+            lines.append(f"URL:{heading.url}{row.path}")
         lines.append("END:VEVENT")
     lines.append("END:VCALENDAR")
     return "".join(f"{folded}\r\n" for line in lines for folded in _folded(line))
@@ -113,7 +124,7 @@ def as_ics(season: Season, rows: Iterable[Appointment]) -> str:
 def as_feed(season: Season) -> str:
     """Return the latest results as a JSON Feed 1.1."""
     source = season.source
-    feed: dict[str, object] = {"version": "https://jsonfeed.org/version/1.1", "title": source.title}
+    feed: dict[str, object] = {"version": FEED_VERSION, "title": source.title}
     if source.description:
         feed["description"] = source.description
     if source.url:

@@ -34,7 +34,7 @@ class Migration(migrations.Migration):
             field=models.IntegerField(
                 default=4,
                 validators=[django.core.validators.MinValueValidator(0), django.core.validators.MaxValueValidator(64)],
-                verbose_name="Teams that reach the knock-out, of each group; 0: there is none",
+                verbose_name="Teams in the finals, of each group; 0: none",
             ),
         ),
         migrations.AddField(
@@ -83,7 +83,7 @@ class Migration(migrations.Migration):
                     django.core.validators.MinValueValidator(timezone.now, "This time has passed."),
                     django.core.validators.MaxValueValidator(datetime(2200, 1, 1, 0, 0, tzinfo=UTC)),
                 ],
-                verbose_name="First premiere of the last stage; empty: results are shown as soon as they are known",
+                verbose_name="First premiere of the last stage",
             ),
         ),
         migrations.AddField(

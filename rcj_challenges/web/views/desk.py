@@ -27,7 +27,8 @@ from rcj_challenges.web.views.guards import only
 @only("organizer")
 def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
     """Show what needs a person: stuck jobs, names to release, dispatchers, the disk."""
-    now = timezone.now()
+    now, season = timezone.now(), seasons.current()
+    basis = seasons.current_basis(season)
     values: dict[str, Any] = {
         "stuck": Job.objects.filter(state=JobState.STUCK).select_related("team", "match", "event")[:50],
         "running": Job.objects.filter(state=JobState.RUNNING).select_related("team", "match", "event")[:50],
@@ -39,19 +40,12 @@ def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
         "events": Event.objects.all()[:20],
         "audit": Audit.objects.order_by("-id")[:20],
         "has_room": Blobs(current_site().folder).has_room(),
-        **_season_values(),
+        "season": season,
+        "basis": basis,
+        "left": seasons.open_rated(basis).count(),
+        "has_other_versions": basis is not None and basis.versions != seasons.own_versions(),
     }
     return page(request, "desk.html", viewer, now=now, lease=jobs.LEASE, **values)
-
-
-def _season_values() -> dict[str, Any]:
-    season = Season.objects.filter(is_current=True).first()
-    basis = seasons.current_basis(season)
-    values: dict[str, Any] = {"season": season, "basis": basis, "left": 0, "has_other_versions": False}
-    if basis is not None:
-        values["left"] = seasons.open_rated(basis).count()
-        values["has_other_versions"] = basis.versions != seasons.own_versions()
-    return values
 
 
 @only("organizer", post=True)

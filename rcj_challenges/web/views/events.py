@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import json
-import mimetypes
 import re
+from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from csp.decorators import csp
 from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase, JsonResponse
@@ -18,18 +17,17 @@ from django.views.decorators.http import require_GET, require_safe
 from rcj_challenges.web import events
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.events import DATA, event_folder
+from rcj_challenges.web.files import FileAnswer
 from rcj_challenges.web.models import Event, Job, JobState
 from rcj_challenges.web.pages import page, public_address
 from rcj_challenges.web.settings import POLICY
 from rcj_challenges.web.views.guards import plain
 from rcj_challenges.web.views.team import REPLAY_POLICY
 
-if TYPE_CHECKING:
-    from rcj_challenges.tournament.site.model import Season as PublishedSeason
-
 _PAGE_POLICY = {**POLICY, "script-src": ["'none'"], "img-src": ["'self'", "data:"]}
 _PLAYER_POLICY = {**REPLAY_POLICY, "script-src": ["'self'", "'unsafe-inline'"], "connect-src": ["'self'"]}
 _IS_PLAYER = re.compile(r"matches/[^/]+/replay\.html|premiere/[^/]+\.html")
+_IS_PUBLIC = re.compile(r"[\w-][\w.-]*(/[\w-][\w.-]*)*")
 _VEVENT = re.compile(r"BEGIN:VEVENT\r\n.*?END:VEVENT\r\n", re.DOTALL)
 _MAX_NEWS = 100
 
@@ -60,17 +58,16 @@ def hashes(request: HttpRequest, pk: int) -> HttpResponse:
 
 
 @require_safe
-def event_file(request: HttpRequest, pk: int, path: str = "") -> HttpResponseBase:
+def event_file(request: HttpRequest, pk: int, path: str = "index.html") -> HttpResponseBase:
     """Return a file of an event's published site. Pages that run scripts have an origin of their own."""
     site = _site(get_object_or_404(Event, pk=pk))
-    if not path:
-        return redirect("event_file", pk=pk, path="index.html") if site.is_dir() else redirect("event", pk=pk)
-    file = site / path
+    if not site.is_dir():
+        return redirect("event", pk=pk)
     try:
-        if any(part.startswith(".") for part in path.split("/")) or not file.resolve().is_relative_to(site.resolve()):
+        if not _IS_PUBLIC.fullmatch(path):
             raise Http404
-        answer = HttpResponse(file.read_bytes(), content_type=mimetypes.guess_type(path)[0] or "text/plain")
-    except (OSError, ValueError) as error:
+        answer = FileAnswer((site / path).open("rb"))
+    except OSError as error:
         raise Http404 from error
     answer["Access-Control-Allow-Origin"], answer["Access-Control-Expose-Headers"] = "*", "Date"
     return csp(_PLAYER_POLICY if _IS_PLAYER.fullmatch(path) else _PAGE_POLICY)(lambda _: answer)(request)
@@ -79,13 +76,14 @@ def event_file(request: HttpRequest, pk: int, path: str = "") -> HttpResponseBas
 @require_GET
 def calendar(request: HttpRequest) -> HttpResponse:
     """Return the deadlines and the schedules of all events as a calendar."""
-    from rcj_challenges.tournament.site.schedule import Appointment, as_ics  # noqa: PLC0415 - loads tournaments
+    from rcj_challenges.tournament.site.schedule import Appointment, Heading, as_ics  # noqa: PLC0415 - loads tournaments
 
-    found = Event.objects.all()
+    found, address = Event.objects.all(), public_address(request, "/")[0]
     rows = [
         Appointment(f"event{one.pk}", one.deadline, gettext("Deadline"), one.title, f"events/{one.pk}") for one in found
     ]
-    own, end, _ = as_ics(_club(request), rows).partition("END:VCALENDAR\r\n")
+    heading = Heading("club", current_site().title, timezone.get_default_timezone(), timezone.now(), address)
+    own, end, _ = as_ics(heading, rows).partition("END:VCALENDAR\r\n")
     schedules = (shown for one in found for shown in _VEVENT.findall(_published(one, "schedule.ics")))
     return HttpResponse("".join((own, *schedules, end)), content_type="text/calendar; charset=utf-8")
 
@@ -93,16 +91,13 @@ def calendar(request: HttpRequest) -> HttpResponse:
 @require_GET
 def feed(request: HttpRequest) -> HttpResponse:
     """Return the latest results of all events as a JSON Feed."""
-    from rcj_challenges.tournament.site.schedule import as_feed  # noqa: PLC0415 - loads tournaments
+    from rcj_challenges.tournament.site.schedule import FEED_VERSION  # noqa: PLC0415 - loads tournaments
 
-    club = _club(request)
-    news = [
-        item
-        for one in Event.objects.all()
-        for item in json.loads(_published(one, "feed.json") or "{}").get("items", ())
-    ]
-    news.sort(key=lambda item: item.get("date_published", ""), reverse=True)
-    made = {**json.loads(as_feed(club)), "home_page_url": club.source.url, "items": news[:_MAX_NEWS]}
+    feeds = [json.loads(_published(one, "feed.json") or "{}") for one in Event.objects.all()]
+    items = chain.from_iterable(one.get("items", ()) for one in feeds)
+    news = sorted(items, key=lambda item: str(item.get("date_published", "")), reverse=True)
+    made = {"version": FEED_VERSION, "title": current_site().title, "items": news[:_MAX_NEWS]}
+    made |= {"home_page_url": public_address(request, "/")[0]}
     return JsonResponse(made, content_type="application/feed+json")
 
 
@@ -112,17 +107,3 @@ def _published(event: Event, name: str) -> str:
         return (_site(event) / name).read_bytes().decode()
     except OSError:
         return ""
-
-
-def _club(request: HttpRequest) -> PublishedSeason:
-    """Return the club as a tournament without matches, for the forms that a tournament's site has."""
-    from rcj_challenges.tournament.played import Played  # noqa: PLC0415 - loads tournaments
-    from rcj_challenges.tournament.season import SeasonState  # noqa: PLC0415
-    from rcj_challenges.tournament.site.model import Season  # noqa: PLC0415
-    from rcj_challenges.tournament.site.source import SiteSource  # noqa: PLC0415
-
-    title, zone = current_site().title, timezone.get_default_timezone()
-    address, _ = public_address(request, "/")
-    return Season(
-        SiteSource("club", title, "", "", zone, SeasonState((), {}, {}), Played(), timezone.now(), url=address)
-    )

@@ -15,7 +15,7 @@ from django.utils import timezone
 from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_POST
 
-from rcj_challenges.records.folder import LOGS, REPLAY, RESULT
+from rcj_challenges.records.folder import REPLAY, RESULT
 from rcj_challenges.web import jobs, seasons, stage
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.blobs import match_folder, record_folder
@@ -36,7 +36,7 @@ _MAX_AGAIN = 20
 @require_GET
 def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
     """Show the table of a season, of the current one without a number."""
-    season = get_object_or_404(Season, pk=pk) if pk else Season.objects.filter(is_current=True).first()
+    season = get_object_or_404(Season, pk=pk) if pk else seasons.current()
     basis = seasons.shown_basis(season)
     others = Season.objects.filter(begun_at__isnull=False).exclude(pk=season.pk if season else 0).order_by("-begun_at")
     values: dict[str, Any] = {"season": season, "others": others, "table": None}
@@ -51,7 +51,7 @@ def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
 def team(request: HttpRequest, pk: int) -> HttpResponse:
     """Show the programs of a team with their ratings, its opponents and its last matches."""
     found = get_object_or_404(Team.objects.select_related("group"), pk=pk, deleted_at=None)
-    season = Season.objects.filter(is_current=True).first()
+    season = seasons.current()
     basis = seasons.shown_basis(season)
     values: dict[str, Any] = {"team": found, "versions": [], "matches": []}
     if basis is not None:
@@ -85,7 +85,7 @@ def match(request: HttpRequest, pk: int) -> HttpResponse:
     again = Job.objects.filter(key=f"again/{pk}").exclude(state=JobState.DONE).first()
     record = record_folder(current_site().folder, found)
     values: dict[str, Any] = {"match": found, "own": own, "again": again, "has_replay": (record / REPLAY).is_file(),
-              "logs": sorted(_own_logs(record, own)), "can_repeat": _can_repeat(found),
+              "logs": _own_logs(record, own) if own else (), "can_repeat": _can_repeat(found),
               "period": _period(found)}  # fmt: skip
     return page(request, "match.html", viewer, **values)
 
@@ -115,19 +115,10 @@ def _own_robots(record: Path, own: list[str]) -> frozenset[tuple[int, str]]:
 
 def _own_logs(record: Path, own: list[str]) -> dict[str, str]:
     """The output of programs of the viewer's side, by robot."""
-    from rcj_challenges.tournament.site.private import own_log  # noqa: PLC0415 - loads the code of matches
+    from rcj_challenges.tournament.site.private import own_logs  # noqa: PLC0415 - loads the code of matches
 
-    robots = _own_robots(record, own) if own else frozenset()
-    halves = {half for half, _ in robots}
-    found = {}
-    for robot in {robot for _, robot in robots}:
-        try:
-            text = (record / LOGS / f"{robot}.log").read_text(encoding="utf-8", errors="replace")
-        except OSError:
-            continue
-        if mine := own_log(text, halves, [half for half in halves if (half, robot) in robots]):
-            found[robot] = mine
-    return found
+    robots = _own_robots(record, own)
+    return own_logs(record, {half for half, _ in robots}, robots)
 
 
 @require_GET
@@ -163,5 +154,5 @@ def match_again(request: HttpRequest, pk: int) -> HttpResponseBase:
         if waiting >= _MAX_AGAIN or not _can_repeat(found):
             text = gettext("Too many are waiting, or it can be played no more. Try again later.")
             return message_page(request, 409, gettext("Not now"), text)
-        seasons.enqueue(found, "again", timezone.now())
+        jobs.enqueue("again", found, timezone.now())
     return redirect("match", pk=pk)

@@ -21,13 +21,17 @@ _SHOWN = 20
 @only("team")
 def practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     """Show the practice of a team, and whom it can play against."""
-    season = seasons.running()
-    entry = Entry.objects.filter(team=viewer.team, season=season).select_related("active").first()
+    season, entry = seasons.running(), _entry(viewer)
     either = Q(blue__team=viewer.team) | Q(yellow__team=viewer.team)
     theirs = seasons.with_sides(Match.objects.filter(either, kind=MatchKind.PRACTICE))
-    values = {"season": season, "active": entry.active if entry else None, "matches": theirs[:_SHOWN],
-              "opponents": _opponents(entry) if entry else ()}  # fmt: skip
-    return page(request, "practice.html", viewer, **values)
+    opponents = _opponents(entry) if entry else ()
+    return page(
+        request, "practice.html", viewer, season=season, entry=entry, matches=theirs[:_SHOWN], opponents=opponents
+    )
+
+
+def _entry(viewer: Viewer) -> Entry | None:
+    return Entry.objects.filter(team=viewer.team, season=seasons.running()).select_related("active").first()
 
 
 def _opponents(entry: Entry) -> QuerySet[Submission]:
@@ -45,8 +49,7 @@ def new_practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     number = request.POST.get("opponent", "")[:12]
     now = timezone.now()
     with jobs.writing():
-        entry = Entry.objects.filter(team=viewer.team, season__is_current=True, season__ended_at=None).first()
-        basis = None if entry is None else seasons.current_basis(entry.season)
+        entry, basis = _entry(viewer), seasons.current_basis(seasons.running())
         against = _opponents(entry).filter(pk=int(number) if number.isdecimal() else 0).first() if entry else None
         if entry is None or entry.active is None or basis is None or against is None:
             return message_page(request, 409, gettext("Not now"), gettext("Choose one of the opponents of the list."))
@@ -55,7 +58,7 @@ def new_practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
             text = gettext("Wait until your practice matches have been played.")
             return message_page(request, 409, gettext("Not now"), text)
         (match,) = seasons.add_matches(basis, MatchKind.PRACTICE, [(entry.active, against)], now)
-        seasons.enqueue(match, "practice", now, team=viewer.team)
+        jobs.enqueue("practice", match, now, team=viewer.team)
     return redirect("practice")
 
 

@@ -16,17 +16,17 @@ from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_http_methods, require_POST
 
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.web import jobs
+from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.accounts import enter as sign_in_team
 from rcj_challenges.web.accounts import open_invite, signs_in, team_of_code
-from rcj_challenges.web.models import Account, Entry, Event, Invite, Job, JobState, Role, Season, Worker
+from rcj_challenges.web.models import Account, Entry, Event, Invite, Job, JobState, Role, Worker
 from rcj_challenges.web.pages import message_page, page
 
 
 @require_GET
 def home(request: HttpRequest) -> HttpResponse:
     """Show what is on, and who takes part."""
-    season = Season.objects.filter(is_current=True).first()
+    season = seasons.current()
     entries = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None).select_related(
         "team", "team__group"
     )

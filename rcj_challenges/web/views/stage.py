@@ -20,7 +20,7 @@ from rcj_challenges.web import jobs, seasons, stage
 from rcj_challenges.web.accounts import Viewer, write_audit
 from rcj_challenges.web.blobs import record_folder, stage_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.models import Match, MatchKind, Season, Show
+from rcj_challenges.web.models import Match, MatchKind, Show
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.tables import standings_of
 from rcj_challenges.web.views.guards import only
@@ -40,11 +40,10 @@ _POLICY = {**REPLAY_POLICY, "connect-src": ["'self'"], "frame-ancestors": ["'sel
 def live(request: HttpRequest) -> HttpResponse:
     """Show the match on the stage, or when the next one begins; the table, and the goals of the last hour."""
     now = timezone.now()
-    shows = list(_with_sides(Show.objects.filter(ends_at__gt=now))[: _COMING + 1])
-    show = shows[0] if shows else None
-    basis = seasons.shown_basis(Season.objects.filter(is_current=True).first())
+    show, *coming = [*_shows(ends_at__gt=now)[: _COMING + 1]] or [None]
+    basis = seasons.shown_basis(seasons.current())
     values: dict[str, Any] = {
-        "show": show, "is_on": show is not None and show.begins_at <= now, "coming": shows[1:],
+        "show": show, "is_on": show is not None and show.begins_at <= now, "coming": coming,
         "table": None if basis is None else standings_of(basis), "rows": _ROWS,
         "goals": list(_goals(now))[:_GOALS], "is_bare": "stage" in request.GET,
         "begins_ms": 0 if show is None else _ms(show.begins_at - now),
@@ -53,10 +52,8 @@ def live(request: HttpRequest) -> HttpResponse:
     return page(request, "live.html", **values)
 
 
-def _with_sides(shows: Any) -> Any:
-    return shows.select_related("match__blue__team", "match__yellow__team").defer(
-        "match__blue__report", "match__yellow__report"
-    )
+def _shows(**when: datetime) -> Any:
+    return seasons.with_sides(Show.objects.filter(**when), "match__")
 
 
 def _ms(length: timedelta) -> int:
@@ -65,7 +62,7 @@ def _ms(length: timedelta) -> int:
 
 def _goals(now: datetime) -> Iterator[dict[str, Any]]:
     site = current_site().folder
-    for show in _with_sides(Show.objects.filter(begins_at__lte=now, ends_at__gt=now - _HOUR).order_by("-begins_at")):
+    for show in _shows(begins_at__lte=now, ends_at__gt=now - _HOUR).reverse():
         is_over = show.ends_at <= now and (record_folder(site, show.match) / REPLAY).is_file()
         for at_s, half, tick, side, score in reversed(show.goals):
             at = show.begins_at + timedelta(seconds=at_s)
@@ -90,9 +87,8 @@ def live_page(_request: HttpRequest, pk: int) -> HttpResponseBase:
 def desk_stage(request: HttpRequest, viewer: Viewer) -> HttpResponse:
     """Show what is on the stage, and the matches that can be put there."""
     now = timezone.now()
-    season = Season.objects.filter(is_current=True).first()
-    shows = _with_sides(Show.objects.filter(ends_at__gt=now))
-    return page(request, "desk_stage.html", viewer, shows=shows, matches=stage.candidates(season)[:_OFFERED], now=now)
+    matches = stage.candidates(seasons.shown_basis(seasons.current()))[:_OFFERED]
+    return page(request, "desk_stage.html", viewer, shows=_shows(ends_at__gt=now), matches=matches, now=now)
 
 
 @only("organizer", post=True)

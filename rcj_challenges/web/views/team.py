@@ -17,13 +17,13 @@ from django.utils import timezone
 from django.utils.translation import gettext
 from django.views.decorators.http import condition, require_GET, require_POST
 
-from rcj_challenges.web import deadlines, jobs
+from rcj_challenges.web import deadlines, jobs, seasons
 from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.codes import NO_FILE
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
-from rcj_challenges.web.models import Entry, Event, Job, JobState, Season, State, Submission
+from rcj_challenges.web.models import Entry, Event, Job, JobState, State, Submission
 from rcj_challenges.web.pages import page
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
 from rcj_challenges.web.views.guards import only, plain, seen_submission
@@ -48,7 +48,7 @@ def my(request: HttpRequest, viewer: Viewer) -> HttpResponse:
 
 
 def _my_page(request: HttpRequest, viewer: Viewer, error: str = "", status: int = 200) -> HttpResponse:
-    season = Season.objects.filter(is_current=True).first()
+    season = seasons.current()
     mine = Submission.objects.filter(team=viewer.team, season=season, is_deleted=False).select_related("late_for")
     entry = Entry.objects.filter(team=viewer.team, season=season).select_related("active").first()
     values: dict[str, Any] = {
@@ -71,7 +71,7 @@ def upload(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     try:
         if given is None:
             raise RefusedError(400, NO_FILE, gettext("Choose a ZIP first."))
-        season = ensure_may_upload(viewer.team, Season.objects.filter(is_current=True).first(), begun_at)
+        season = ensure_may_upload(viewer.team, seasons.current(), begun_at)
         path = Blobs(current_site().folder).incoming / f"form-{secrets.token_hex(8)}"
         digest, size = hashlib.sha256(), 0
         try:
@@ -206,7 +206,7 @@ def repair(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
         return plain("Only a rejected submission can be repaired.", 409)
     now = timezone.now()
     with jobs.writing():
-        jobs.enqueue("repair", found.pk, now, submission=found, team=found.team)
+        jobs.enqueue("repair", found, now)
     return redirect(f"/my/submissions/{pk}")
 
 
