@@ -181,10 +181,8 @@ def _within(least: int, most: int) -> tuple[MinValueValidator, MaxValueValidator
     return MinValueValidator(least), MaxValueValidator(most)
 
 
-_AHEAD = (
-    MinValueValidator(timezone.now, _("This time has passed.")),
-    MaxValueValidator(datetime(2200, 1, 1, tzinfo=UTC)),
-)
+_LAST = datetime(2200, 1, 1, tzinfo=UTC)
+_AHEAD = MinValueValidator(timezone.now, _("This time has passed.")), MaxValueValidator(_LAST)
 
 
 class Event(models.Model):

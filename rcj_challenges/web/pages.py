@@ -11,6 +11,7 @@ from django.shortcuts import render
 from django.urls import reverse
 from django.utils import timezone, translation
 from django.utils.functional import SimpleLazyObject
+from django.utils.translation import gettext
 from jinja2 import Environment, StrictUndefined
 
 from rcj_challenges.core.amounts import plain
@@ -77,6 +78,6 @@ def page(
     return render(request, template, shared | values, status=status)
 
 
-def message_page(request: HttpRequest, status: int, title: str, text: str) -> HttpResponse:
-    """Render a page with a message."""
-    return page(request, "message.html", status=status, title=title, text=text)
+def message_page(request: HttpRequest, status: int, text: str, title: str = "") -> HttpResponse:
+    """Render a page with a message, by itself that something was not done."""
+    return page(request, "message.html", status=status, title=title or gettext("Not done"), text=text)

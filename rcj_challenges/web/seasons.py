@@ -121,9 +121,8 @@ def rebase(season: Season, now: datetime) -> None:
     """
     scenario, _ = _kept_scenario(season)
     with jobs.writing():
-        running = Season.objects.select_for_update().filter(pk=season.pk, begun_at__isnull=False, ended_at=None).first()
-        before = current_basis(season)
-        if running is None or before is None:
+        before = Basis.objects.select_for_update().filter(season=season, season__ended_at=None).first()
+        if before is None:
             return
         rated = Match.objects.filter(basis=before, kind=MatchKind.RATED).select_related("blue", "yellow")
         matches = list(rated.defer("blue__report", "yellow__report").order_by("number"))

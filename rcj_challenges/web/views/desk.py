@@ -55,12 +55,11 @@ def change_season(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     act = request.POST.get("act", "")
     acts = {"begin": seasons.begin, "rebase": seasons.rebase, "end": seasons.end}
     if act not in acts or (act == "end" and request.POST.get("confirm", "").strip() != season.title):
-        text = gettext("Type the title of the season to confirm.")
-        return message_page(request, 400, gettext("Not ended"), text)
+        return message_page(request, 400, gettext("Type the title of the season to confirm."))
     try:
         acts[act](season, timezone.now())
     except RcjError as error:
-        return message_page(request, 409, gettext("The ladder cannot begin"), str(error))
+        return message_page(request, 409, str(error))
     write_audit(viewer, f"{act} season", season, "", timezone.now())
     return redirect("desk")
 
@@ -71,7 +70,7 @@ def void_match(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBas
     found = get_object_or_404(Match.objects.select_related("basis"), pk=pk)
     reason = sanitize(request.POST.get("reason", "").strip(), 200)
     if not reason:
-        return message_page(request, 400, gettext("No reason"), gettext("Write why the match does not count."))
+        return message_page(request, 400, gettext("Write why the match does not count."))
     with jobs.writing():
         # All may be played again at this time: then the match is there twice.
         same = Match.objects.filter(basis__season=found.basis.season_id, kind=found.kind, number=found.number)
@@ -104,7 +103,7 @@ def new_invite(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     role = Role.ORGANIZER if request.POST.get("role") == Role.ORGANIZER else Role.MENTOR
     label = sanitize(" ".join(request.POST.get("group", "").split()), 60)
     if role == Role.MENTOR and not label:
-        return message_page(request, 400, gettext("No group"), gettext("Write the label of the mentor's group."))
+        return message_page(request, 400, gettext("Write the label of the mentor's group."))
     now = timezone.now()
     with jobs.writing():
         group = None

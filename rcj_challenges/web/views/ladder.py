@@ -152,7 +152,6 @@ def match_again(request: HttpRequest, pk: int) -> HttpResponseBase:
     with jobs.writing():
         waiting = Job.objects.filter(kind="again", state=JobState.QUEUED).count()
         if waiting >= _MAX_AGAIN or not _can_repeat(found):
-            text = gettext("Too many are waiting, or it can be played no more. Try again later.")
-            return message_page(request, 409, gettext("Not now"), text)
+            return message_page(request, 409, gettext("It can be played no more, or too many are waiting."))
         jobs.enqueue("again", found, timezone.now())
     return redirect("match", pk=pk)

@@ -45,14 +45,13 @@ def new_teams(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     names = [name for name in names if name][:_MAX_AT_ONCE]
     label = sanitize(" ".join(request.POST.get("group", "").split()), 60)
     if not names or not (viewer.group or label):
-        return message_page(request, 400, gettext("Nothing to make"), gettext("Write the name of a team on each line."))
+        return message_page(request, 400, gettext("Write the name of a team on each line."))
     with jobs.writing():
         owner = (
             viewer.group or Group.objects.get_or_create(label=label, defaults={"quota": current_site().team_quota})[0]
         )
         if Team.objects.filter(group=owner, deleted_at=None).count() + len(names) > owner.quota:
-            text = gettext("An organizer can raise the number of teams of your group.")
-            return message_page(request, 409, gettext("Too many teams"), text)
+            return message_page(request, 409, gettext("Your group has as many teams as organizers allow it."))
         cards = [
             _card(request, team, give_card(team))
             for team in [Team.objects.create(group=owner, name=name) for name in names]
@@ -86,11 +85,10 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
     """Delete a team: its name, card and reports go at once; archives that nothing else needs go with them."""
     found = seen_team(viewer, pk)
     if request.POST.get("confirm", "").strip() != found.name:
-        text = gettext("Type the name of the team to confirm.")
-        return message_page(request, 400, gettext("Not deleted"), text)
+        return message_page(request, 400, gettext("Type the name of the team to confirm."))
     if (event := events.unfinished(found)) is not None:
         text = gettext("It plays in {event} at this time. Delete it when its matches are over.").format(event=event)
-        return message_page(request, 409, gettext("Not deleted"), text)
+        return message_page(request, 409, text)
     now, name = timezone.now(), found.name
     with jobs.writing():
         found.name, found.is_name_public, found.code_hmac, found.deleted_at = "", False, None, now

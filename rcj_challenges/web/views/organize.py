@@ -101,8 +101,7 @@ def change_event(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseB
     elif act == "delete" and not (event.plays or events.has_begun(event)) and confirm == event.title:
         events.delete(event)
     else:
-        text = gettext("The event is not that far, or too far. To delete one, type its title.")
-        return message_page(request, 409, gettext("Not done"), text)
+        return message_page(request, 409, gettext("It is too early or too late. To delete an event, type its title."))
     write_audit(viewer, f"{act} event", event, "", now)
     return redirect("desk" if act == "delete" else reverse("desk_event", args=[pk]))
 
@@ -118,8 +117,7 @@ def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     reason, cascade = sanitize(request.POST.get("reason", ""), 500), "cascade" in request.POST
     kind = next((one for one in RulingKind if one == request.POST.get("kind")), None)
     if kind is None or (kind != RulingKind.UNDONE and (kind == RulingKind.WITHDRAWN) == bool(fixture)):
-        text = gettext("Choose the match that it is about; no match if the team leaves the event.")
-        return message_page(request, 400, gettext("Not decided"), text)
+        return message_page(request, 400, gettext("Choose the match; none if a team leaves the event."))
     losers = [team] if kind == RulingKind.FORFEIT else ()
     try:
         with events.opened(event, writing=events.has_begun(event)) as tournament:
@@ -129,7 +127,7 @@ def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
             else:
                 rulings.withdraw(tournament, team, reason, undo=kind == RulingKind.UNDONE, cascade=cascade)
     except DiagnosticError as error:
-        return message_page(request, 409, gettext("Not decided"), _words(error))
+        return message_page(request, 409, _words(error))
     Event.objects.filter(pk=pk).update(publish_at=timezone.now())
     write_audit(viewer, "rule", f"{event}: {kind} {fixture or team}", reason, timezone.now())
     return redirect("desk_event", pk=pk)

@@ -52,11 +52,10 @@ def new_practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
         entry, basis = _entry(viewer), seasons.current_basis(seasons.running())
         against = _opponents(entry).filter(pk=int(number) if number.isdecimal() else 0).first() if entry else None
         if entry is None or entry.active is None or basis is None or against is None:
-            return message_page(request, 409, gettext("Not now"), gettext("Choose one of the opponents of the list."))
+            return message_page(request, 409, gettext("Choose one of the opponents of the list."))
         waiting = Match.objects.filter(blue__team=viewer.team, kind=MatchKind.PRACTICE, played_at=None, void="")
         if waiting.exclude(job__state=JobState.STUCK).count() >= _WAITING:
-            text = gettext("Wait until your practice matches have been played.")
-            return message_page(request, 409, gettext("Not now"), text)
+            return message_page(request, 409, gettext("Wait until your practice matches have been played."))
         (match,) = seasons.add_matches(basis, MatchKind.PRACTICE, [(entry.active, against)], now)
         jobs.enqueue("practice", match, now, team=viewer.team)
     return redirect("practice")

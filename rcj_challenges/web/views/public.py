@@ -27,18 +27,10 @@ from rcj_challenges.web.pages import message_page, page
 def home(request: HttpRequest) -> HttpResponse:
     """Show what is on, and who takes part."""
     season = seasons.current()
-    entries = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None).select_related(
-        "team", "team__group"
-    )
+    found = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None)
+    entries = found.select_related("team__group").order_by("team__pk")
     open_events = Event.objects.filter(played_at=None).order_by("deadline")
-    return page(
-        request,
-        "home.html",
-        season=season,
-        entries=entries.order_by("team__pk"),
-        events=open_events,
-        now=timezone.now(),
-    )
+    return page(request, "home.html", season=season, entries=entries, events=open_events, now=timezone.now())
 
 
 @require_GET
@@ -92,9 +84,7 @@ def invited(request: HttpRequest, code: str) -> HttpResponseBase:
     now = timezone.now()
     found = open_invite(code, now)
     if found is None:
-        return message_page(
-            request, 404, gettext("This link has been used or is too old"), gettext("Ask for a new one.")
-        )
+        return message_page(request, 404, gettext("This link has been used or is too old. Ask for a new one."))
     error = ""
     if request.method == "POST":
         name, password = sanitize(request.POST.get("name", "").strip(), 40), request.POST.get("password", "")[:200]
@@ -130,7 +120,7 @@ def help_page(request: HttpRequest) -> HttpResponse:
 
 def not_found(request: HttpRequest, exception: Exception) -> HttpResponse:
     """Show that there is no such page, or none for this viewer."""
-    return message_page(request, 404, gettext("There is no such page"), gettext("Or it is not for you to see."))
+    return message_page(request, 404, gettext("Or it is not for you to see."), gettext("There is no such page"))
 
 
 @require_GET

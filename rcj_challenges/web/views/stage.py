@@ -101,8 +101,7 @@ def put_on_stage(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseB
         after = timezone.make_aware(parse_datetime(request.POST.get("after", "")[:30]) or timezone.make_naive(now))
         show = stage.schedule(match, after, now, is_chosen=True)
     except (OSError, ValueError, OverflowError):
-        text = gettext("There is no replay of this match, or no such time. Make the replay again on the match's page.")
-        return message_page(request, 409, gettext("Not put on the stage"), text)
+        return message_page(request, 409, gettext("There is no such time, or no replay. Make it on the match's page."))
     write_audit(viewer, "put on stage", show, "", now)
     return redirect("desk_stage")
 
