@@ -6,7 +6,7 @@ Of a match only what is released is in it, and of the other side nothing that th
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +14,7 @@ from typing import Any
 
 from rcj_challenges.core.files import slug
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import LOGS, REPLAY, SCENARIO
+from rcj_challenges.records.folder import LOGS, REPLAY, RESULT, SCENARIO
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
 from rcj_challenges.tournament.jobs import sizes
 from rcj_challenges.tournament.season import Side
@@ -60,7 +60,7 @@ def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
     record = match.played.record if match.played else None
     if record is None or match.played is None:
         return
-    robots = _robots(record, match.played.result, match, team)
+    robots = _robots(record, match, team)
     halves = [half["half"] for half in match.played.result.get("halves", ())]
     for robot, text in own_logs(record, halves, robots).items():
         tree.write(f"{folder}/{robot}.log", text)
@@ -71,24 +71,25 @@ def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
             tree.write(f"{folder}/replay.html", page_text(facts, page.poses, sensing))
 
 
-def _robots(record: Path, result: Mapping[str, Any], match: MatchView, team: str) -> frozenset[tuple[int, str]]:
+def _robots(record: Path, match: MatchView, team: str) -> frozenset[tuple[int, str]]:
     """Return (half, robot) for each robot that a team's programs drove."""
     sides: dict[str, Side] = {side.seat: side for side in match.fixture.sides}
-    return driven(record, result, lambda seat, robot: seat in sides and team == driver(sides[seat], robot))
+    return driven(record, lambda seat, robot: seat in sides and team == driver(sides[seat], robot))
 
 
-def driven(record: Path, result: Mapping[str, Any], is_own: Callable[[str, str], bool]) -> frozenset[tuple[int, str]]:
+def driven(record: Path, is_own: Callable[[str, str], bool]) -> frozenset[tuple[int, str]]:
     """Return (half, robot) for each robot that is driven by the same programs.
 
     ``is_own`` decides this by the seat of the first half and the robot.
     """
     try:
         entrants = json.loads((record / SCENARIO).read_text("utf-8"))["entrants"]
+        halves = json.loads((record / RESULT).read_text("utf-8"))["halves"]
     except (OSError, ValueError, KeyError, TypeError):
         return frozenset()
     return frozenset(
         (half["half"], robot)
-        for half in result.get("halves", ())
+        for half in halves
         for seat, first_seat in half["sides"].items()
         for robot in entrants.get(seat, {}).get("robots", {})
         if is_own(first_seat, robot)

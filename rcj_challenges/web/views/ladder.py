@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +14,7 @@ from django.utils import timezone
 from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_POST
 
-from rcj_challenges.records.folder import REPLAY, RESULT
+from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.web import jobs, seasons, stage
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.blobs import match_folder, record_folder
@@ -85,8 +84,7 @@ def match(request: HttpRequest, pk: int) -> HttpResponse:
     again = Job.objects.filter(key=f"again/{pk}").exclude(state=JobState.DONE).first()
     record = record_folder(current_site().folder, found)
     values: dict[str, Any] = {"match": found, "own": own, "again": again, "has_replay": (record / REPLAY).is_file(),
-              "logs": _own_logs(record, own) if own else (), "can_repeat": _can_repeat(found),
-              "period": _period(found)}  # fmt: skip
+              "logs": _own_logs(record, own), "can_repeat": _can_repeat(found), "period": _period(found)}  # fmt: skip
     return page(request, "match.html", viewer, **values)
 
 
@@ -104,17 +102,14 @@ def _can_repeat(found: Match) -> bool:
 
 
 def _own_robots(record: Path, own: list[str]) -> frozenset[tuple[int, str]]:
+    """Return (half, robot) for each robot that programs of the viewer's side drove."""
     from rcj_challenges.tournament.site.private import driven  # noqa: PLC0415 - loads the code of matches
 
-    try:
-        result = json.loads((record / RESULT).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return frozenset()
-    return driven(record, result, lambda seat, _: seat in own)
+    return driven(record, lambda seat, _: seat in own) if own else frozenset()
 
 
 def _own_logs(record: Path, own: list[str]) -> dict[str, str]:
-    """The output of programs of the viewer's side, by robot."""
+    """Return the output of programs of the viewer's side, by robot."""
     from rcj_challenges.tournament.site.private import own_logs  # noqa: PLC0415 - loads the code of matches
 
     robots = _own_robots(record, own)
