@@ -4,7 +4,7 @@ from django.contrib import admin
 from django.urls import path
 
 from rcj_challenges.web.api import api
-from rcj_challenges.web.views import desk, events, ladder, mentor, organize, practice, public, stage, team
+from rcj_challenges.web.views import desk, events, ladder, mentor, public, stage, team
 
 handler404 = public.not_found
 urlpatterns = [
@@ -42,9 +42,9 @@ urlpatterns = [
     path("my/submissions/<int:pk>/repair", team.repair, name="repair"),
     path("my/submissions/<int:pk>/activate", team.activate, name="activate"),
     path("my/submissions/<int:pk>/<str:name>", team.replay, name="replay"),
-    path("my/practice", practice.practice, name="practice"),
-    path("my/practice/new", practice.new_practice, name="new_practice"),
-    path("my/practice/allow", practice.allow_practice, name="allow_practice"),
+    path("my/practice", ladder.practice, name="practice"),
+    path("my/practice/new", ladder.new_practice, name="new_practice"),
+    path("my/practice/allow", ladder.allow_practice, name="allow_practice"),
     path("group", mentor.group, name="group"),
     path("group/teams/new", mentor.new_teams, name="new_teams"),
     path("group/teams/<int:pk>", mentor.team, name="team"),
@@ -55,10 +55,10 @@ urlpatterns = [
     path("desk/matches/<int:pk>/void", desk.void_match, name="void_match"),
     path("desk/teams/<int:pk>/release", desk.release_name, name="release_name"),
     path("desk/season", desk.change_season, name="change_season"),
-    path("desk/events/new", organize.new_event, name="new_event"),
-    path("desk/events/<int:pk>", organize.desk_event, name="desk_event"),
-    path("desk/events/<int:pk>/change", organize.change_event, name="change_event"),
-    path("desk/events/<int:pk>/rule", organize.rule, name="rule"),
+    path("desk/events/new", events.new_event, name="new_event"),
+    path("desk/events/<int:pk>", events.desk_event, name="desk_event"),
+    path("desk/events/<int:pk>/change", events.change_event, name="change_event"),
+    path("desk/events/<int:pk>/rule", events.rule, name="rule"),
     path("desk/stage", stage.desk_stage, name="desk_stage"),
     path("desk/matches/<int:pk>/stage", stage.put_on_stage, name="put_on_stage"),
     path("desk/stage/<int:pk>/take-off", stage.take_off_stage, name="take_off_stage"),
