@@ -75,6 +75,9 @@ class Phrases(Protocol):
     def keepers(self, kind: str, name: str) -> str | None:
         """Return the names of which each has a counter, flag, timer or sequence of its own; None for a single one."""
 
+    def holder(self, role: str, name: str) -> str:
+        """Return the one that has a role: ``this team``, ``Y1``; ``each`` of things is ``it``."""
+
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""
 

@@ -61,4 +61,4 @@ expect:
         if self.to in ("next", "none"):
             return f"{'the next of them' if self.to == 'next' else 'nothing'} becomes {role}"
         name = self.to if isinstance(self.to, str) else None
-        return f"{phrases.thing(name) if name else value_words(phrases, self.to)} becomes {role}"
+        return f"{phrases.holder(self.role, name) if name else value_words(phrases, self.to)} becomes {role}"

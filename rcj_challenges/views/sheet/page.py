@@ -11,7 +11,7 @@ from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.rules.effects import PlacesLayout
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, seconds
 from rcj_challenges.rules.placement import placement_words
-from rcj_challenges.rules.values import amount_words
+from rcj_challenges.rules.values import value_words
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import Result, Rule, Scenario
@@ -122,7 +122,7 @@ def _ranking(phrases: Phrasebook) -> Iterator[Items]:
     own = phrases.within(Rule.model_construct(for_each=ENTRANTS, triggers=(), actions=()))
     over = {"sum": "", "best": f", the best of the {halves}", "worst": f", the worst of the {halves}"}
     words = (
-        f"{amount_words(own, one.value)}{over.get(one.over, ', when the match is over')}; {one.better} is better"
+        f"{value_words(own, one.value)}{over.get(one.over, ', when the match is over')}; {one.better} is better"
         for one in rank
     )
     yield Items(tuple(words), "For each team, each counts only if those before it are equal:", numbered=True)

@@ -243,7 +243,11 @@ class Phrasebook:
         lasts_s = self.scenario.timers[timer].lasts_s
         return lasts_s if isinstance(lasts_s, int | float) else None
 
-    # --- draws -------------------------------------------------------------------------------------------------------
+    # --- roles and draws ----------------------------------------------------------------------------------------------
+
+    def holder(self, role: str, name: str) -> str:
+        is_team = set(self.roster.roles[role]) <= set(self.roster.teams)
+        return self.entrant(name) if is_team and name != OTHER else self.thing(name)
 
     def what_drawn(self, draw: str) -> str:
         return f"what was drawn as {quoted_measure(draw)}"
