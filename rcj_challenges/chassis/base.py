@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal, NamedTuple, Protocol
 from pydantic import Field
 
 from rcj_challenges.core.amounts import add_up
-from rcj_challenges.geometry.polygons import Point, side
+from rcj_challenges.geometry.polygons import Point, box, side, turned
 from rcj_challenges.rules.base import Phrases, Vocabulary, Word
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import metres
@@ -66,10 +66,7 @@ class Wheel(NamedTuple):
 
     def corners(self) -> tuple[Point, ...]:
         """Return its outline, counter-clockwise."""
-        c, s = math.cos(self.yaw_rad), math.sin(self.yaw_rad)
-        return tuple(
-            (self.x_m + c * x - s * y, self.y_m + s * x + c * y) for x, y in box(2 * self.radius_m, self.width_m)
-        )
+        return turned(box(2 * self.radius_m, self.width_m), (self.x_m, self.y_m, self.yaw_rad))
 
 
 class Grip(NamedTuple):
@@ -312,9 +309,3 @@ def is_at_front(front_m: float, ahead_m: float, aside_m: float, radius_m: float,
         within_m: how large the gap may be. Beside the middle of a round body there may be less than none.
     """
     return abs(aside_m) <= FRONT_M / 2 and -ROUNDING_M <= ahead_m - front_m - radius_m <= within_m
-
-
-def box(length_m: float, width_m: float) -> tuple[Point, ...]:
-    """Return the corners of a rectangle around the origin, counter-clockwise: length along x, width along y."""
-    x, y = length_m / 2, width_m / 2
-    return (x, y), (-x, y), (-x, -y), (x, -y)

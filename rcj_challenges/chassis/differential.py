@@ -10,9 +10,9 @@ from collections.abc import Iterable, Sequence
 from struct import Struct
 from typing import Literal
 
-from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, Drive, Grip, Mount, Physics, Wheel, box
+from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, Drive, Grip, Mount, Physics, Wheel
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S
-from rcj_challenges.geometry.polygons import Point
+from rcj_challenges.geometry.polygons import Point, box
 from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import metres_alike

@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import sqrt
+from collections.abc import Iterable, Sequence
+from math import cos, sin, sqrt
 
 from rcj_challenges.core.amounts import add_up
 
 Point = tuple[float, float]
+
+
+def box(length_m: float, width_m: float) -> tuple[Point, ...]:
+    """Return the corners of a rectangle around the origin, counter-clockwise: length along x, width along y."""
+    x, y = length_m / 2, width_m / 2
+    return (x, y), (-x, y), (-x, -y), (x, -y)
+
+
+def turned(points: Iterable[Point], pose: tuple[float, float, float]) -> tuple[Point, ...]:
+    """Return points in the frame of a body, x ahead, as points of the field."""
+    at_x, at_y, yaw = pose
+    c, s = cos(yaw), sin(yaw)
+    return tuple((at_x + c * x - s * y, at_y + s * x + c * y) for x, y in points)
 
 
 def distance_to_segment_m(x_m: float, y_m: float, ax: float, ay: float, bx: float, by: float) -> float:

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import cos, inf, sin, sqrt
+from math import inf, sqrt
 
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
+from rcj_challenges.geometry.polygons import Point, box, distance_to_segment_m, turned
 from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Obstacle, Wall
 
 Points = tuple[Point, ...]
@@ -32,9 +32,7 @@ class Part:
 
     def at(self, pose: Pose2) -> Part:
         """Return the part of a body that stands at a pose."""
-        x, y, yaw = pose
-        c, s = cos(yaw), sin(yaw)
-        return Part(tuple((x + c * px - s * py, y + s * px + c * py) for px, py in self.points), self.radius_m)
+        return Part(turned(self.points, pose), self.radius_m)
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +57,6 @@ class Outline:
         return tuple(part.at(pose) for part in self.parts)
 
 
-def rectangle(length_m: float, width_m: float) -> Part:
-    """Return a rectangle around the origin: length along x, width along y."""
-    x, y = length_m / 2, width_m / 2
-    return Part(((x, y), (-x, y), (-x, -y), (x, -y)))
-
-
 def counter_clockwise(points: Points) -> Points:
     """Return the corners of a polygon so that they run counter-clockwise."""
     pairs = zip(points, (*points[1:], points[0]), strict=True)
@@ -87,7 +79,7 @@ def obstacle_outline(obstacle: Obstacle) -> Outline:
         case Cylinder():
             return disc(obstacle.radius_m)
         case Box():
-            return Outline.of(rectangle(*obstacle.size_m))
+            return Outline.of(Part(box(*obstacle.size_m)))
         case Wall():
             return Outline.of(_wall_part(obstacle))
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import atan2, cos, sin
+from math import atan2
 
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.geometry.polygons import Point, side
+from rcj_challenges.geometry.polygons import Point, side, turned
 from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -57,9 +57,8 @@ def at_start(zone: Zone, scenario: Scenario) -> Zone:
     if not isinstance(zone, CircleZone) or zone.anchor is None:
         return zone
     spot = scenario.spots.get(zone.anchor)
-    x, y, yaw = start_pose(scenario, zone.anchor) if spot is None else (spot.x_m, spot.y_m, 0.0)
-    (dx, dy), c, s = zone.middle_m, cos(yaw), sin(yaw)
-    return zone.model_copy(update={"centre_m": (x + c * dx - s * dy, y + s * dx + c * dy)})
+    pose = start_pose(scenario, zone.anchor) if spot is None else (spot.x_m, spot.y_m, 0.0)
+    return zone.model_copy(update={"centre_m": turned([zone.middle_m], pose)[0]})
 
 
 def start_pose(scenario: Scenario, name: str) -> Pose2:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 
 from rcj_challenges.scenario.models.field import FieldModel, Goal
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
@@ -105,22 +104,11 @@ def corners_of(left: float, bottom: float, right: float, top: float) -> list[Poi
     return [(left, top), (right, top), (right, bottom), (left, bottom)]
 
 
-def turned(points: Iterable[Point], at: Point, yaw_rad: float) -> list[Point]:
-    """Return points of a body's own frame (x forward) as points of the field."""
-    c, s = math.cos(yaw_rad), math.sin(yaw_rad)
-    return [(at[0] + c * x - s * y, at[1] + s * x + c * y) for x, y in points]
-
-
 def forward_mark(start: Point, end: Point, length_m: float = FORWARD_M) -> tuple[Point, Point]:
     """Return both ends of a gate's forward mark: when driving forward, the first post is on the left."""
     x, y = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
     share = length_m / (math.dist(start, end) or 1.0)
     return (x, y), (x - share * (end[1] - start[1]), y + share * (end[0] - start[0]))
-
-
-def box(width_m: float, height_m: float) -> list[Point]:
-    """Return the corners of a box around the origin."""
-    return corners_of(-width_m / 2, -height_m / 2, width_m / 2, height_m / 2)
 
 
 def zone_words(zone: Zone) -> str:

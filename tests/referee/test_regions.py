@@ -7,12 +7,12 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from rcj_challenges.chassis.differential import DifferentialChassis
-from rcj_challenges.geometry.polygons import distance_to_segment_m
+from rcj_challenges.geometry.polygons import box, distance_to_segment_m
 from rcj_challenges.geometry.regions import cell_beside_square, crossing
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
-from rcj_challenges.scenario.outlines import Part, closer_than, gap_m, rectangle, robot_outline
+from rcj_challenges.scenario.outlines import Part, closer_than, gap_m, robot_outline
 from rcj_challenges.scenario.roster import Roster
 
 number = st.floats(-1, 1, allow_subnormal=False).map(lambda value: round(value, 3))
@@ -121,8 +121,8 @@ class TestOutlines:
     @given(st.floats(-0.3, 0.3), st.floats(-0.3, 0.3), st.floats(-4, 4), st.floats(0, 0.1))
     @example(0.12, 0.17, 0.0, 0.03)  # beyond a corner, which is further than either side
     def test_the_quick_answer_is_that_of_the_gap(self, x, y, yaw, limit):
-        square, disc = rectangle(0.1, 0.2), Part(((x, y),), 0.05)
-        turned = rectangle(0.15, 0.05).at((x, y, yaw))
+        square, disc = Part(box(0.1, 0.2)), Part(((x, y),), 0.05)
+        turned = Part(box(0.15, 0.05)).at((x, y, yaw))
         for other in (disc, turned):
             gap = gap_m(square, other)
             assume(abs(gap - limit) > 1e-12)
@@ -131,7 +131,7 @@ class TestOutlines:
 
     @given(st.floats(-0.3, 0.3), st.floats(-0.3, 0.3), st.floats(-4, 4))
     def test_two_rectangles_overlap_just_if_they_share_a_point(self, x, y, yaw):
-        square, other = rectangle(0.1, 0.2), rectangle(0.15, 0.05).at((x, y, yaw))
+        square, other = Part(box(0.1, 0.2)), Part(box(0.15, 0.05)).at((x, y, yaw))
         gap = gap_m(square, other)
         c, s = math.cos(yaw), math.sin(yaw)
         shares = any(

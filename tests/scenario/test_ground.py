@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.chassis.differential import DifferentialChassis
-from rcj_challenges.geometry.polygons import is_simple
-from rcj_challenges.scenario.outlines import disc, extent, overlap, rectangle, robot_outline
+from rcj_challenges.geometry.polygons import box, is_simple
+from rcj_challenges.scenario.outlines import Part, disc, extent, overlap, robot_outline
 from tests.scenario.writing import complaints, errors, loaded, rule
 
 ROBOT = DifferentialChassis()
@@ -59,7 +59,7 @@ def test_overlap_is_mutual_and_does_not_depend_on_the_frame(x, y, yaw, turn):
      ((0.0475, 0.0475), 0.0143, True)],
 )  # fmt: skip
 def test_a_ball_touches_the_cube_at_its_faces_and_corners(centre, radius, hit):
-    assert overlap([rectangle(0.075, 0.075)], disc(radius).at((*centre, 0))) is hit
+    assert overlap([Part(box(0.075, 0.075))], disc(radius).at((*centre, 0))) is hit
 
 
 # --- bodies on the field ----------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 """The place ``relative_to``."""
 
-from math import cos, sin
 from typing import Annotated
 
+from rcj_challenges.geometry.polygons import turned
 from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import listed, metres_alike
@@ -49,8 +49,7 @@ expect:
             if anchor.entity is None:
                 return request.mirrored((x + dx, y + dy))
             if self.turns:
-                yaw = request.board.poses[anchor.entity][2]
-                return (x + dx * cos(yaw) - dy * sin(yaw), y + dx * sin(yaw) + dy * cos(yaw))
+                return turned([(dx, dy)], (x, y, request.board.poses[anchor.entity][2]))[0]
             offset_x, offset_y = request.mirrored((dx, dy))
             return (x + offset_x, y + offset_y)
 

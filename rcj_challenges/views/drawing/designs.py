@@ -7,12 +7,14 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from rcj_challenges.chassis.base import Chassis, WheelName, wheel_words
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.devices.base import Device
+from rcj_challenges.geometry.polygons import turned
 from rcj_challenges.rules.phrasing import listed, metres, metres_alike
 from rcj_challenges.scenario.designs import Verdict
 from rcj_challenges.scenario.models.designs import Design
 from rcj_challenges.scenario.models.guidelines import Guideline
-from rcj_challenges.scenario.shapes import Point, turned
+from rcj_challenges.scenario.shapes import Point
 from rcj_challenges.views.drawing.paper import Entry, Paper
 
 _ROW_PX = 400.0
@@ -86,7 +88,7 @@ def _paper(chassis: Sequence[Chassis], guideline: Guideline) -> Paper:
 def _draw(paper: Paper, verdict: Verdict, name: str, guideline: Guideline, row: int) -> list[Entry]:
     """Draw a design in its row, and return its lines of the legend."""
     design, far_m = verdict.designs[name], paper.bounds[2]
-    at = (0.0, -2 * row * far_m)
+    at = (0.0, -2 * row * far_m, _AHEAD_RAD)
     paper.text_px(10, row * _ROW_PX + 22, name, "head")
     for device_name, device in design.devices.items():  # below the body
         _draw_view(paper, device, device_name, at)
@@ -103,17 +105,17 @@ def _reach_m(chassis: Chassis) -> float:
     return max(math.hypot(*corner) for outline in chassis.footprint() for corner in outline)
 
 
-def _chassis(paper: Paper, chassis: Chassis, guideline: Guideline, at: Point) -> list[Entry]:
+def _chassis(paper: Paper, chassis: Chassis, guideline: Guideline, at: Pose2) -> list[Entry]:
     reach_m, limit_m = _reach_m(chassis), guideline.max_diameter_m / 2
     cylinder = _CYLINDER.format(_FITS if reach_m <= limit_m + _ROUNDING_M else _TOO_WIDE)
     for part, outline in reversed(chassis.solids().items()):
-        paper.polygon(turned(outline, at, _AHEAD_RAD), _BODY if part == "body" else _DARK, part.replace("_", " "))
+        paper.polygon(turned(outline, at), _BODY if part == "body" else _DARK, part.replace("_", " "))
     tip_m = chassis.front_m
     nose = [(tip_m * 0.95, 0.0), (tip_m * 0.8, tip_m * 0.12), (tip_m * 0.8, -tip_m * 0.12)]
-    paper.polygon(turned(nose, at, _AHEAD_RAD), _DARK, "its front")
+    paper.polygon(turned(nose, at), _DARK, "its front")
     for wheel in chassis.wheels():
-        paper.polygon(turned(wheel.corners(), at, _AHEAD_RAD), _DARK, wheel_words(wheel.name))
-    paper.circle(at, limit_m, cylinder, f"the cylinder of {metres(guideline.max_diameter_m)}")
+        paper.polygon(turned(wheel.corners(), at), _DARK, wheel_words(wheel.name))
+    paper.circle(at[:2], limit_m, cylinder, f"the cylinder of {metres(guideline.max_diameter_m)}")
     width, cylinder_width = metres_alike((round(2 * reach_m, 4), guideline.max_diameter_m))
     return [
         Entry(chassis.body_words().rstrip(",")),
@@ -122,7 +124,7 @@ def _chassis(paper: Paper, chassis: Chassis, guideline: Guideline, at: Point) ->
     ]
 
 
-def _devices(paper: Paper, design: Design, costs: dict[str, int], at: Point) -> list[Entry]:
+def _devices(paper: Paper, design: Design, costs: dict[str, int], at: Pose2) -> list[Entry]:
     """Draw the devices where they sit, and what they look at; those that may sit anywhere are only in the legend."""
     entries: list[Entry] = []
     wheels: dict[WheelName, Point] = {wheel.name: (wheel.x_m, wheel.y_m) for wheel in design.chassis.wheels()}
@@ -132,7 +134,7 @@ def _devices(paper: Paper, design: Design, costs: dict[str, int], at: Point) -> 
         place = sits[:2] if sits is not None else None if wheel is None else wheels.get(wheel)
         number = "" if place is None else paper.new_number()
         if place is not None:
-            (spot,) = turned([place], at, _AHEAD_RAD)
+            (spot,) = turned([place], at)
             paper.mark(spot, number, name, _MARKER)
         kind = device.name().replace("_", " ") + ("" if wheel is None else f" of {wheel_words(wheel)}")
         points = f", {costs[name]}" if costs.get(name) else ""
@@ -140,7 +142,7 @@ def _devices(paper: Paper, design: Design, costs: dict[str, int], at: Point) -> 
     return entries
 
 
-def _draw_view(paper: Paper, device: Device, name: str, at: Point) -> None:
+def _draw_view(paper: Paper, device: Device, name: str, at: Pose2) -> None:
     view = device.looks()
     if view is None:
         return
@@ -151,4 +153,4 @@ def _draw_view(paper: Paper, device: Device, name: str, at: Point) -> None:
     angles = [bearing_rad + angle_rad * (step / steps - 0.5) for step in range(steps + 1)]
     rim = [(ahead_m + length_m * math.cos(angle), left_m + length_m * math.sin(angle)) for angle in angles]
     apex = [(ahead_m, left_m)] if angle_rad < math.tau - _STEP_RAD else []
-    paper.polygon(turned([*apex, *rim], at, _AHEAD_RAD), _LOOKS, f"what {name} looks at")
+    paper.polygon(turned([*apex, *rim], at), _LOOKS, f"what {name} looks at")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
+from rcj_challenges.geometry.polygons import box, turned
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.scenario.halves import in_half
@@ -19,7 +20,6 @@ from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_b
 from rcj_challenges.scenario.shapes import (
     FORWARD_M,
     Point,
-    box,
     corners_of,
     floor_of,
     floor_outline,
@@ -27,7 +27,6 @@ from rcj_challenges.scenario.shapes import (
     goal_floor,
     middle,
     point_words,
-    turned,
     visible_outline,
     zone_outline,
     zone_words,
@@ -202,7 +201,7 @@ def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number:
         case (at,):
             dot_m = _mark_m(paper, _DOT_M)
             width_m, height_m = (2 * max(noise, dot_m) for noise in area.noise_m)
-            paper.polygon(turned(box(width_m, height_m), at, 0.0), _PUT_AREA, f"{title} at {point_words(at)}")
+            paper.polygon(turned(box(width_m, height_m), (*at, 0.0)), _PUT_AREA, f"{title} at {point_words(at)}")
             place, offset_px = at, (0.0, _BESIDE_PX)
         case start, end, *_:
             line = f'stroke="{_PUT}" stroke-width="5" stroke-opacity="0.6"'
@@ -242,10 +241,9 @@ def _measured(scenario: Scenario, roster: Roster) -> Iterator[tuple[float, str, 
 def _gates(paper: Paper, scenario: Scenario) -> Section:
     entries: list[Entry] = []
     for name, gate in scenario.gates.items():
-        ends = [gate.from_m, gate.to_m]
+        ends: tuple[Point, ...] = (gate.from_m, gate.to_m)
         if gate.anchor is not None:
-            x_m, y_m, yaw_rad = start_pose(scenario, gate.anchor)
-            ends = turned(ends, (x_m, y_m), yaw_rad)
+            ends = turned(ends, start_pose(scenario, gate.anchor))
         number = paper.new_number()
         paper.line(ends[0], ends[1], f'stroke="{_GATE}" stroke-width="3" {_WITHIN_WALLS}', name)
         for post in ends:
@@ -318,15 +316,15 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
         size_m = kit.chassis.size_m
         shifts = any(noise_m) and pose == start_pose(scenario, name)
         if shifts:
-            paper.polygon(turned(box(2 * noise_m[0], 2 * noise_m[1]), at, 0.0), _NOISE_BOX, f"{name} starts in here")
+            paper.polygon(turned(box(2 * noise_m[0], 2 * noise_m[1]), (*at, 0.0)), _NOISE_BOX, f"{name} starts in here")
         for wheel in kit.chassis.wheels():
-            paper.polygon(turned(wheel.corners(), at, pose[2]), 'fill="#212529"')
+            paper.polygon(turned(wheel.corners(), pose), 'fill="#212529"')
         for part, outline in reversed(kit.chassis.solids().items()):
             fill = hex_of(robot.colour) if part == "body" else "#212529"
-            paper.polygon(turned(outline, at, pose[2]), f'fill="{fill}" stroke="#212529"', name)
+            paper.polygon(turned(outline, pose), f'fill="{fill}" stroke="#212529"', name)
         reach, wide = (kit.chassis.front_m if kit.looks_along == "+x" else -size_m / 2), size_m * 0.16
         nose = [(reach * 0.95, 0.0), (reach * 0.55, wide), (reach * 0.55, -wide)]
-        paper.polygon(turned(nose, at, pose[2]), f'fill="rgb{ink}"', "its front")
+        paper.polygon(turned(nose, pose), f'fill="rgb{ink}"', "its front")
         paper.keep_free(at, size_m * 0.7)
         number = ""
         if len(name) * _NUMBER_PX <= size_m * paper.scale:
