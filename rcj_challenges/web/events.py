@@ -149,8 +149,8 @@ def forget(team: Team, name: str, now: datetime) -> None:
     from rcj_challenges.tournament.store.store import Store  # noqa: PLC0415 - loads the code of tournaments
 
     for event in _events_of(team):
-        hashes = {one: sha256 for one, sha256, _ in event.frozen}
-        sha256, data, archive = hashes.pop(team.pk), event_folder(event) / DATA, event_folder(event) / _archive(team.pk)
+        folder, archives = event_folder(event), {one: sha256 for one, sha256, _ in event.frozen}
+        sha256, data, archive = archives.pop(team.pk), folder / DATA, folder / _archive(team.pk)
         if not has_begun(event):
             archive.unlink(missing_ok=True)
             event.frozen = [one for one in event.frozen if one[0] != team.pk]
@@ -161,7 +161,7 @@ def forget(team: Team, name: str, now: datetime) -> None:
         with Store(data, writing=True) as store:
             for job in store.rename(sha256, name, team.public_name):
                 shutil.rmtree(store.place.record_of(job), ignore_errors=True)
-        if sha256 not in hashes.values():
+        if sha256 not in archives.values():
             (data / "submissions" / f"{sha256}.zip").unlink(missing_ok=True)
         for shown in ("site", "for_teams", "premieres", "organizer"):  # they are published again at once
             shutil.rmtree(data / shown, ignore_errors=True)
