@@ -31,7 +31,6 @@ class Drawn:
         left_out: by stage that takes all teams: those that came too late for it.
         draws: by stage, or stage and hash of what led to a draw.
         moved: by fixture: its id before it was drawn again; its seed is derived from that.
-        by_exchanges: whether Swiss rounds are paired as before draws were kept.
     """
 
     seed: int | str
@@ -40,7 +39,6 @@ class Drawn:
     left_out: dict[str, list[str]] = field(default_factory=dict)
     draws: dict[str, Any] = field(default_factory=dict)
     moved: dict[str, str] = field(default_factory=dict)
-    by_exchanges: bool = False
 
     @classmethod
     def of(cls, seed: int | str, teams: Mapping[str, Team]) -> Self:

@@ -106,14 +106,8 @@ class OpenTournament:
     @cached_property
     def drawn(self) -> Drawn:
         """The draws so far; new ones are added."""
-        if (has_begun := self.store.has_begun()) and (kept := self.store.drawn()) is not None:
-            return Drawn(**kept)
-        drawn = Drawn.of(self.loaded.tournament.seed, self.loaded.teams())
-        if has_begun:  # by a version that kept no draws: its Swiss rounds stay as it has paired them
-            drawn.by_exchanges = True
-            _state(Season(self.loaded, self.teams, drawn), self.store.played(), self.held)
-            drawn.by_exchanges = False
-        return drawn
+        kept = self.store.drawn() if self.store.has_begun() else None
+        return Drawn.of(self.loaded.tournament.seed, self.loaded.teams()) if kept is None else Drawn(**kept)
 
     def keep_drawn(self) -> None:
         """Keep the draws since the last time."""

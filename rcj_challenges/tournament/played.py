@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
@@ -29,13 +30,13 @@ class RulingKind(StrEnum):
     """The decision before is taken back."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class PlayedMatch:
     """A fixture that was played or ruled on, in addition to its outcome.
 
     Attributes:
         record: folder of the record, as ``run`` writes one; None if nothing of it is kept or it was never played.
-        result: the content of ``result.json``; empty if it was never played (a forfeit before the match).
+        summary: of its result, as the store has it; empty if it was never played (a forfeit before the match).
         submissions: by team id, SHA-256 (hexadecimal) of the submission that played.
         played_at: its end; None if it was never played.
         doubtful: whether a wall-time limit decided something in it, also when it was played once more.
@@ -43,11 +44,20 @@ class PlayedMatch:
 
     fixture: str
     record: Path | None
-    result: Mapping[str, Any]
+    summary: Mapping[str, Any]
     submissions: Mapping[str, str] = field(default_factory=dict)
     played_at: datetime | None = None
     doubtful: bool = False
     rulings: tuple[RulingRow, ...] = ()
+
+    @cached_property
+    def result(self) -> Mapping[str, Any]:
+        """The content of the record's ``result.json``; of a damaged one, or without one, the summary."""
+        with suppress(OSError, ValueError):
+            content = parsed((self.record / RESULT).read_bytes()) if self.record is not None else None
+            if isinstance(content, dict):
+                return content
+        return self.summary
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,31 +95,6 @@ class Played:
     withdrawals: Mapping[str, tuple[RulingRow, ...]] = field(default_factory=dict)
 
 
-class RecordedResult(Mapping[str, Any]):
-    """The content of a record's ``result.json``, read when it is needed; of a damaged one the store's summary."""
-
-    def __init__(self, folder: Path, summary: Mapping[str, Any]) -> None:
-        self._folder = folder
-        self._summary = summary
-
-    @cached_property
-    def _content(self) -> Mapping[str, Any]:
-        try:
-            content = parsed((self._folder / RESULT).read_bytes())
-        except (OSError, ValueError):
-            return self._summary
-        return content if isinstance(content, dict) else self._summary
-
-    def __getitem__(self, key: str) -> Any:
-        return self._content[key]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._content)
-
-    def __len__(self) -> int:
-        return len(self._content)
-
-
 def read_played(store: Store) -> Played:
     """Return all that was played, decided and submitted."""
     rulings: dict[str, list[RulingRow]] = {}
@@ -125,7 +110,7 @@ def read_played(store: Store) -> Played:
         matches[played.fixture] = PlayedMatch(
             fixture=played.fixture,
             record=folder if folder.is_dir() else None,
-            result=RecordedResult(folder, job.summary),
+            summary=job.summary,
             submissions=played.submissions,
             played_at=played.played_at,
             doubtful=job.doubtful,

@@ -415,7 +415,7 @@ def test_a_record_that_is_damaged_or_gone_leaves_the_result(season: MadeUpSeason
         "digest": "0" * 64,
         "faults": [{"robot": "B1", "team": "blue", "kind": "crash"}],
     }
-    played = {name: replace(match, record=damaged, result=summary) for name, match in source.played.matches.items()}
+    played = {name: replace(match, record=damaged, summary=summary) for name, match in source.played.matches.items()}
     publish(replace(source, played=replace(source.played, matches=played)), tmp_path / "data")
     match = Season(source).released[0]
     folder = tmp_path / "data" / "site" / "matches" / match.slug

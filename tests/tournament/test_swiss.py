@@ -1,10 +1,7 @@
 """Swiss stages: the pairing of teams, and the table that decides it."""
 
-import sqlite3
 from collections import Counter
-from contextlib import closing
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -13,7 +10,6 @@ from hypothesis import strategies as st
 from rcj_challenges.tournament.formats.swiss_pairing import Player, pair
 from rcj_challenges.tournament.season import Outcome
 from tests.tournament.seasons import by_chance, by_strength, names, order, play, season, stage, teams_of
-from tests.tournament.store_helpers import LEAGUE, Home
 
 SWISS = "  swiss: {{stage: swiss, rounds: {}}}\n"
 
@@ -200,23 +196,6 @@ def test_two_winners_meet_and_the_teams_that_drew_meet_losers():
     assert sorted(sorted(points[team] for team in teams_of(fixture)) for fixture in state.open_fixtures()) == [
         [0, 1], [0, 1], [3, 3],
     ]  # fmt: skip
-
-
-def test_a_running_stage_of_a_store_without_draws_goes_on_with_its_pairs(tmp_path):
-    home = Home(tmp_path, LEAGUE.partition("stages:")[0] + "stages: {league: {stage: swiss, rounds: 3}}\n",
-                ("ada", "bee", "cid", "dan", "eve", "fay"))  # fmt: skip
-    home.data.mkdir()
-    with closing(sqlite3.connect(home.data / "store.sqlite")) as store:
-        store.executescript((Path(__file__).parent / "swiss_store_without_draws.sql").read_text("utf-8"))
-    drawn = ["league/round2/cid-bee", "league/round2/eve-fay", "league/round2/dan-ada"]
-    for writing in (False, True, False):
-        with home.opened(writing=writing) as tournament:
-            state = tournament.state()
-            assert [one.id for one in state.fixtures if one.round == 2] == drawn
-            assert state.outcomes[drawn[0]].scores == (1, 1)
-            if writing:
-                tournament.keep_drawn()
-                assert tournament.store.drawn() is not None
 
 
 @given(st.integers(0, 10**6))

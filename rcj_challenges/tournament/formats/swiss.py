@@ -113,7 +113,7 @@ class _Course:
 
         def paired() -> tuple[list[tuple[str, str]], str]:
             players = [self._player(row.team, row.points) for row in present]
-            return pair(players, number, by_exchanges=drawn.by_exchanges)
+            return pair(players, number)
 
         pairs, bye = drawn.draw(self.context.name, inputs, paired)
         key = ("swiss", self.context.name, number, tuple(map(tuple, pairs)))

@@ -20,17 +20,14 @@ class Player:
     had_bye: bool
 
 
-def pair(players: Sequence[Player], round_: int, *, by_exchanges: bool = False) -> tuple[list[tuple[str, str]], str]:
+def pair(players: Sequence[Player], round_: int) -> tuple[list[tuple[str, str]], str]:
     """Return the pairs, the first team of each on the first seat, and the team with a bye (empty: none).
 
     Of all pairings the best is taken. What counts, first things first: few rematches, few second byes, seats that
-    differ by two at most, equal points, equal seats, neighbours in the table. Players come in the order of the table;
-    ``by_exchanges`` pairs as before the best was found, for rounds that were drawn then.
+    differ by two at most, equal points, equal seats, neighbours in the table. Players come in the order of the table.
     """
-    costs = _costs(players)
-    pairs = _exchanged(costs, len(players)) if by_exchanges else _matched(costs)
     found, bye = [], ""
-    for number, (one, other) in enumerate(sorted(pairs)):
+    for number, (one, other) in enumerate(sorted(_matched(_costs(players)))):
         if other == len(players):
             bye = players[one].team
             continue
@@ -46,27 +43,7 @@ def _matched(costs: Mapping[tuple[int, int], int]) -> list[tuple[int, int]]:
 
     graph = nx.Graph()
     graph.add_weighted_edges_from((one, other, -cost) for (one, other), cost in costs.items())
-    return [_ordered(one, other) for one, other in nx.max_weight_matching(graph, maxcardinality=True)]
-
-
-def _exchanged(costs: Mapping[tuple[int, int], int], count: int) -> list[tuple[int, int]]:
-    """Return neighbours, which then exchange partners as long as that costs less for two pairs."""
-    pairs = [(one, one + 1) for one in range(0, count, 2)]
-    has_changed = True
-    while has_changed:
-        has_changed = False
-        for i, j in combinations(range(len(pairs)), 2):
-            (a, b), (c, d) = pairs[i], pairs[j]
-            straight, crossed = (_ordered(a, c), _ordered(b, d)), (_ordered(a, d), _ordered(b, c))
-            best = min(straight, crossed, key=lambda two: costs[two[0]] + costs[two[1]])
-            if costs[best[0]] + costs[best[1]] < costs[pairs[i]] + costs[pairs[j]]:
-                pairs[i], pairs[j] = best
-                has_changed = True
-    return pairs
-
-
-def _ordered(one: int, other: int) -> tuple[int, int]:
-    return (one, other) if one < other else (other, one)
+    return [(min(pair), max(pair)) for pair in nx.max_weight_matching(graph, maxcardinality=True)]
 
 
 def _costs(players: Sequence[Player]) -> dict[tuple[int, int], int]:

@@ -25,7 +25,7 @@ from rcj_challenges.tournament.site.public import (
     public_facts,
     public_result,
     public_stats,
-    read_replay,
+    replay_of,
 )
 from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree, fingerprint
@@ -87,7 +87,7 @@ def _write(tree: Tree, renderer: Renderer, season: Season, match: MatchView, fol
     played = match.played
     result = played.result if played else {}
     record = played.record if played else None
-    replay = _replay(record)
+    replay = replay_of(record)
     downloads = []
     if replay is not None:
         facts = public_facts(replay.facts, without_logos=season.unnamed_seats(match))
@@ -119,16 +119,6 @@ def _write(tree: Tree, renderer: Renderer, season: Season, match: MatchView, fol
 
 def _json(value: Any) -> str:
     return json.dumps(value, ensure_ascii=True, separators=(",", ":")) + "\n"
-
-
-def _replay(record: Path | None) -> ReplayData | None:
-    """Return the replay of a record; None if there is none, or it cannot be read."""
-    if record is None:
-        return None
-    try:
-        return read_replay((record / REPLAY).read_text("utf-8"))
-    except (OSError, ValueError):
-        return None
 
 
 def _stats(record: Path | None) -> dict[str, Any] | None:

@@ -11,9 +11,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.tournament.site.model import MatchView, Season
-from rcj_challenges.tournament.site.public import public_facts, read_replay
+from rcj_challenges.tournament.site.public import public_facts, replay_of
 from rcj_challenges.tournament.site.render import Renderer, day
 from rcj_challenges.tournament.site.schedule import what_of
 from rcj_challenges.tournament.site.source import HALF_TIME_S
@@ -73,11 +72,8 @@ def _page(season: Season, match: MatchView) -> str:
 
 def _recording(season: Season, match: MatchView, record: Path | None) -> str:
     """Return the recording as a script that gives itself to the page; empty if there is none."""
-    if record is None:
-        return ""
-    try:
-        replay = read_replay((record / REPLAY).read_text("utf-8"))
-    except (OSError, ValueError):
+    replay = replay_of(record)
+    if replay is None:
         return ""
     facts = public_facts(replay.facts, without_logos=season.unnamed_seats(match))
     data = {"id": match.slug, "facts": facts, "poses": replay.poses}

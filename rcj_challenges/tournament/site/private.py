@@ -14,12 +14,12 @@ from typing import Any
 
 from rcj_challenges.core.files import slug
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import LOGS, REPLAY, RESULT, SCENARIO
+from rcj_challenges.records.folder import LOGS, RESULT, SCENARIO
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
 from rcj_challenges.tournament.jobs import sizes
 from rcj_challenges.tournament.season import Side
 from rcj_challenges.tournament.site.model import MatchView, Season, driver, team_faults
-from rcj_challenges.tournament.site.public import public_facts, read_replay
+from rcj_challenges.tournament.site.public import public_facts, replay_of
 from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree, fingerprint
 from rcj_challenges.views.replay.page import page_text
@@ -64,8 +64,7 @@ def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
     halves = [half["half"] for half in match.played.result.get("halves", ())]
     for robot, text in own_logs(record, halves, robots).items():
         tree.write(f"{folder}/{robot}.log", text)
-    with suppress(OSError, ValueError):
-        page = read_replay((record / REPLAY).read_text("utf-8"))
+    if page := replay_of(record):
         facts = public_facts(page.facts, robots)
         if sensing := _sensing(facts, record, robots):  # else it would be the one of the site
             tree.write(f"{folder}/replay.html", page_text(facts, page.poses, sensing))

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
-from html.parser import HTMLParser
+from pathlib import Path
 from typing import Any
 
 from rcj_challenges.core.timing import s_from_ticks
+from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.views.sentences import clock
 
@@ -32,6 +35,8 @@ _PUBLIC_RESULT = (
 )  # fmt: skip
 
 
+_BLOCK = re.compile(r'<script\b[^>]*\bid="([^"]+)"[^>]*>(.*?)</script>', re.DOTALL)
+"""A data block of a replay page: a script with an id."""
 _PUBLIC_FAULT = ("robot", "team", "half", "tick", "kind")
 
 
@@ -88,32 +93,19 @@ def read_replay(page: str) -> ReplayData:
     Raises:
         ValueError: this is not a replay page.
     """
-    reader = _Blocks()
-    reader.feed(page)
-    facts = json.loads(reader.found.get("facts", ""))
+    blocks = dict(_BLOCK.findall(page))
+    facts = json.loads(blocks.get("facts", ""))
     if not isinstance(facts, dict) or not isinstance(facts.get("halves"), list):
         raise ValueError("no facts of a replay")  # noqa: TRY004 - of the same kind as text that is not JSON
-    poses = {half["half"]: reader.found.get(f"half-{half['half']}", "") for half in facts["halves"]}
+    poses = {half["half"]: blocks.get(f"half-{half['half']}", "") for half in facts["halves"]}
     return ReplayData(facts, poses)
 
 
-class _Blocks(HTMLParser):
-    """Collects the data blocks of a page: scripts with an id."""
-
-    def __init__(self) -> None:
-        super().__init__(convert_charrefs=False)
-        self.found: dict[str, str] = {}
-        self._id = ""
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self._id = dict(attrs).get("id") or "" if tag == "script" else ""
-
-    def handle_endtag(self, tag: str) -> None:
-        self._id = ""
-
-    def handle_data(self, data: str) -> None:
-        if self._id:
-            self.found[self._id] = self.found.get(self._id, "") + data
+def replay_of(record: Path | None) -> ReplayData | None:
+    """Return the replay of a record; None if there is none, or it cannot be read."""
+    with suppress(OSError, ValueError):
+        return None if record is None else read_replay((record / REPLAY).read_text("utf-8"))
+    return None
 
 
 def public_facts(

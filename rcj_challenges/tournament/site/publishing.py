@@ -57,8 +57,7 @@ def publish(
     matches may be replaced.
 
     Raises:
-        ForeignFolderError: a foreign folder is in the way.
-        DiagnosticError: the site of before has more matches.
+        DiagnosticError: a foreign folder is in the way, or the site of before has more matches.
         OSError: a file cannot be written; the site of before is still there.
     """
     season = Season(source)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unicodedata
 from datetime import datetime, tzinfo
 from importlib.resources import files
 from typing import Any
@@ -10,6 +9,7 @@ from urllib.parse import quote
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
+from rich.cells import cell_len, chop_cells
 
 from rcj_challenges.core.amounts import measure_words, number_words
 from rcj_challenges.core.files import slug
@@ -81,20 +81,6 @@ def time_element(at: datetime, zone: tzinfo) -> Markup:
     return Markup('<time datetime="{}">{}</time>').format(local.isoformat(timespec="minutes"), text)
 
 
-def width(text: str) -> int:
-    """Return the width of a text, about in characters; those of East Asia and emoji count twice."""
-    return sum(
-        0 if unicodedata.combining(one) else 2 if unicodedata.east_asian_width(one) in "WF" else 1 for one in text
-    )
-
-
 def fitted(text: str, max_width: int) -> str:
-    """Return a text that is cut to a `width`."""
-    if width(text) <= max_width:
-        return text
-    kept = ""
-    for character in text:
-        if width(kept + character) >= max_width:
-            break
-        kept += character
-    return kept + "…"
+    """Return a text that is cut to a width, about in characters; those of East Asia and emoji count twice."""
+    return text if cell_len(text) <= max_width else f"{chop_cells(text, max_width - 1)[0]}…"

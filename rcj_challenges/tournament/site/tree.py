@@ -22,16 +22,6 @@ from rcj_challenges.tournament.codes import FOLDER_IN_THE_WAY
 _MANIFEST = ".made_from.json"
 
 
-class ForeignFolderError(DiagnosticError):
-    """A folder that would be replaced has something else in it."""
-
-    def __init__(self, target: Path) -> None:
-        message = f"{sanitize(target)} is in the way: it was not made by 'tournament publish', so it is not replaced"
-        super().__init__(
-            Diagnostic(FOLDER_IN_THE_WAY, message, "move it elsewhere, or give another folder with --data")
-        )
-
-
 def fingerprint(value: Any) -> str:
     """Return a hash of JSON-able data."""
     return hashlib.sha256(json.dumps(value, sort_keys=True, default=str).encode()).hexdigest()
@@ -44,12 +34,16 @@ class Tree:
     from before.
 
     Raises:
-        ForeignFolderError: there is something else in the target.
+        DiagnosticError: there is something else in the target.
     """
 
     def __init__(self, target: Path) -> None:
         if target.exists() and not _is_ours(target):
-            raise ForeignFolderError(target)
+            message = (
+                f"{sanitize(target)} is in the way: it was not made by 'tournament publish', so it is not replaced"
+            )
+            help_ = "move it elsewhere, or give another folder with --data"
+            raise DiagnosticError(Diagnostic(FOLDER_IN_THE_WAY, message, help_))
         self.target = target
         self.reused = 0
         self._new = target.with_name(f".{target.name}.new")

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from sqlalchemy import JSON, Boolean, Column, DateTime, Dialect, ForeignKey, Integer, MetaData, String, Table
 from sqlalchemy.types import TypeDecorator
 
-STORE_VERSION = 2
+STORE_VERSION = 3
 """Version of the tables; a store of another version is refused."""
 
 METADATA = MetaData()
