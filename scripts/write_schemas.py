@@ -8,14 +8,33 @@ That of scenario files is written by ``rcj-challenge schema``, for authors have 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
-from rcj_challenges.checker.report import schema_text
-from rcj_challenges.records.result import result_schema_text
+from rcj_challenges.checker.report import CheckReport
+from rcj_challenges.records.result import RunResult
 
 FOLDER = Path(__file__).parents[1] / "schemas"
+
+
+def check_text() -> str:
+    """Return the schema of ``check --json``."""
+    schema = CheckReport.model_json_schema(mode="serialization")
+    del schema["$defs"]["Diagnostic"]["properties"]["level"]["default"]
+    return _written(schema)
+
+
+def result_text() -> str:
+    """Return the schema of ``run --json``."""
+    return _written(RunResult.model_json_schema())
+
+
+def _written(schema: dict[str, Any]) -> str:
+    draft = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
+    return json.dumps(draft | schema, indent=2, ensure_ascii=False) + "\n"
 
 
 def site_text() -> str:
@@ -29,7 +48,7 @@ def site_text() -> str:
         return openapi_text()
 
 
-TEXTS = {"check.schema.json": schema_text, "result.schema.json": result_schema_text, "site.openapi.json": site_text}
+TEXTS = {"check.schema.json": check_text, "result.schema.json": result_text, "site.openapi.json": site_text}
 
 
 def main() -> int:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rcj_challenges.checker.codes import ARCHIVE_SOUND
 from rcj_challenges.checker.findings import Stage
-from rcj_challenges.checker.identity import find_logo, finding_of, name_findings
+from rcj_challenges.checker.identity import find_logo, name_findings
 from rcj_challenges.checker.layout import layout_findings
 from rcj_challenges.checker.others import others_that_fit, seats_of
 from rcj_challenges.core.amounts import counted
@@ -27,18 +27,14 @@ class Inspection:
     Attributes:
         stages: archive, layout, identity.
         team: the team, opened as a match opens it; None if it cannot play. It need not be closed, only may be.
-        display_name: the team's name, or that of the file; safe to show in a terminal; HTML adds its own escapes.
         logo: the logo as a PNG without anything that a picture does not need; None without one that may be shown.
-        digest: SHA-256 over the team's files as records name it; empty if it cannot play.
         seats: the entrants whose robots it was checked for.
         opening: the result of opening it.
     """
 
     stages: list[Stage]
     team: Team | None
-    display_name: str
     logo: bytes | None
-    digest: str
     seats: tuple[Entrant, ...]
     opening: Opening
 
@@ -65,8 +61,7 @@ def inspect(path: Path, scenario: Scenario) -> Inspection:
     else:
         for stage in stages[1:]:
             stage.skipped = "the archive could not be read"
-    team = opening.team
-    return Inspection(stages, team, opening.name.text, logo, team.digest if team else "", seats, opening)
+    return Inspection(stages, opening.team, logo, seats, opening)
 
 
 def _opened(path: Path, scenario: Scenario) -> tuple[tuple[Entrant, ...], Opening]:
@@ -80,7 +75,7 @@ def _opened(path: Path, scenario: Scenario) -> tuple[tuple[Entrant, ...], Openin
 
 
 def _archive(contents: Contents) -> Stage:
-    stage = Stage("archive", [finding_of(problem) for problem in contents.problems])
+    stage = Stage("archive", [*contents.problems])
     if not contents.refused:
         count, size = len(contents.files), sum(map(len, contents.files.values()))
         message = f"{counted(count, 'file')}, {size / 1000:.1f} kB unpacked"

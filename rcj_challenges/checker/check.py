@@ -181,7 +181,7 @@ class _Check:
             with team:
                 self._carry_out("design", lambda: check_designs(team, self._loaded))
                 self._carry_out("sources", lambda: check_sources(team))
-                self._run_programs(team, self._inspection.display_name or team.name)
+                self._run_programs(team, self._inspection.opening.name.text or team.name)
 
     def report(self, repaired: list[str], wall_s: float) -> FileReport:
         """Return the report. Stages that were not come to are skipped."""
@@ -202,8 +202,8 @@ class _Check:
             code=self.blocked_code,
             blocked_by=self.blocked_by or next(iter(unknown), ""),
             our_fault=self._our_fault and not self.blocked_by,
-            team=sanitize(inspection.display_name) if inspection is not None else "",
-            digest=inspection.digest if inspection is not None else "",
+            team=sanitize(inspection.opening.name.text) if inspection is not None else "",
+            digest=inspection.team.digest if inspection is not None and inspection.team is not None else "",
             repaired=repaired,
             stages=[stage_report(stage) for stage in stages],
             started=self._started,
@@ -232,7 +232,7 @@ class _Check:
             from rcj_challenges.checker.starting import check_start  # noqa: PLC0415
         except (ImportError, OSError) as error:
             raise HostError(f"the physics cannot be loaded: {format_error(error)}", code=NO_PHYSICS) from error
-        with _private_folders() as folders:
+        with PrivateFolders() as folders:
             rehearsal = Rehearsal(self._loaded, team, name, self._options.sandbox, folders.place)
             missing: list[str] = []  # devices, when the programs started
 
@@ -306,13 +306,6 @@ class _Check:
             except RecordError as error:
                 no_replay = sanitize(error, 400)
         return match_report(match, replay, no_replay, _outputs(match) if self._options.show_output else {})
-
-
-def _private_folders() -> PrivateFolders:
-    try:
-        return PrivateFolders()
-    except OSError as error:
-        raise temporary_folder_error(error) from error
 
 
 def _unless_full(stage: Stage, place: Path) -> Stage:

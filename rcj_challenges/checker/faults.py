@@ -11,6 +11,7 @@ from rcj_challenges.checker.findings import StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks
 
@@ -63,11 +64,7 @@ def _fault_finding(
 
 def missing_by_device(match: Rehearsed) -> MissingDevices:
     """Return the devices that robots of the team lacked in a match."""
-    missing: MissingDevices = {}
-    for robot in match.robots:
-        for found in missing_devices(match.notes[robot]):
-            missing.setdefault(found, []).append(robot)
-    return missing
+    return grouped((found, robot) for robot in match.robots for found in missing_devices(match.notes[robot]))
 
 
 def device_findings(

@@ -32,16 +32,9 @@ class Logo:
     findings: tuple[Diagnostic, ...]
 
 
-def finding_of(problem: Diagnostic) -> Diagnostic:
-    """Return a problem as a finding."""
-    return Diagnostic(
-        problem.code, problem.message, problem.help, problem.where, repair=problem.repair, level=problem.level
-    )
-
-
 def name_findings(opening: Opening) -> list[Diagnostic]:
     """Return the team's name with findings on it."""
-    found = [finding_of(problem) for problem in opening.name.problems]
+    found = list(opening.name.problems)
     if opening.name.given:
         found.append(Diagnostic(codes.IDENTITY_NAME, f"the team is called {opening.name.text}"))
     return found

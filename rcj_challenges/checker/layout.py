@@ -12,6 +12,7 @@ from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
 from rcj_challenges.checker.similar_names import BLANK, alike, like_an_entry, mentioned
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.submissions.codes import LAYOUT_MISSING
 from rcj_challenges.submissions.problems import safe_text
@@ -131,10 +132,8 @@ def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Diagno
     The latter are alternatives that the scenario names and does not take, and folders with a name much like one that it
     takes. What the other programs mention belongs to them.
     """
-    robots: dict[PurePosixPath, list[str]] = {}
-    for robot, entry in entries_of(opening.files, seats).items():
-        if entry is not None:
-            robots.setdefault(entry, []).append(robot)
+    chosen = entries_of(opening.files, seats)
+    robots = grouped((entry, robot) for robot, entry in chosen.items() if entry is not None)
     found = [
         Diagnostic(codes.LAYOUT_PROGRAM, f"{', '.join(names)}: {safe_text(entry)}", where=safe_text(entry))
         for entry, names in robots.items()

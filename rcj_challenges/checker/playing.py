@@ -16,6 +16,7 @@ from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, late_from_tic
 from rcj_challenges.core.amounts import number_words
 from rcj_challenges.core.code import Level
 from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.observers import ProgramTimes
@@ -100,10 +101,11 @@ def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) 
 def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Diagnostic]:
     """Return a warning for each program whose robots did not move: without those that failed or were absent."""
     known = {*absent, *(fault["robot"] for fault in match.faults)}
-    standing: dict[str, list[str]] = {}  # by program
-    for robot, activity in match.robots.items():
-        if activity.path_m < _STANDS_M and activity.turned_rad < _STANDS_RAD and robot not in known:
-            standing.setdefault(rehearsal.team.entries[robot], []).append(robot)
+    standing = grouped(  # by program
+        (rehearsal.team.entries[robot], robot)
+        for robot, one in match.robots.items()
+        if one.path_m < _STANDS_M and one.turned_rad < _STANDS_RAD and robot not in known
+    )
     message = f"{side}did not move in {match.simulated_s:.0f} s"
     helps = {entry: standing_help(rehearsal.scenario, rehearsal.team, robots[0]) for entry, robots in standing.items()}
     return [
@@ -222,10 +224,7 @@ def _threads(match: Rehearsed, side: str) -> list[Diagnostic]:
 
 def _complaints(match: Rehearsed, side: str) -> list[Diagnostic]:
     """The notes of the controller module on calls of the program."""
-    complaints: dict[tuple[str, str], list[str]] = {}
-    for robot in match.robots:
-        for complaint in complaints_in(match.notes[robot]):
-            complaints.setdefault(complaint, []).append(robot)
+    complaints = grouped((found, robot) for robot in match.robots for found in complaints_in(match.notes[robot]))
     return [
         Diagnostic(codes.PLAY_COMPLAINT, f"{side}{what}", help_, ", ".join(robots))
         for (what, help_), robots in list(complaints.items())[:MAX_COMPLAINTS]

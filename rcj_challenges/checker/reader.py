@@ -75,7 +75,7 @@ def _amount_of(found: dict[str, Any]) -> int:
 
 
 def read_source(source: bytes, name: str, max_imports: int = sys.maxsize) -> dict[str, Any]:
-    """Return ``{"error": …}`` or ``{"imports": […], "moves_path": …, "empty": …}`` of a file.
+    """Return the fields of a `reading.Source`: of a file that is not Python what is wrong, else what is in it.
 
     Args:
         source: the file as it is.
@@ -84,14 +84,14 @@ def read_source(source: bytes, name: str, max_imports: int = sys.maxsize) -> dic
     """
     error = _find_error(source, name)
     if error is not None:
-        return {"error": error}
+        return error
     try:
         tree = compile(source, name, "exec", ast.PyCF_ONLY_AST, dont_inherit=True)
         imports = []
         for found in _imports(tree):
             max_imports -= _amount_of(found)
             if max_imports < 0:
-                return {"error": _error("imports", line=found["line"], column=found["column"])}
+                return {**_error("imports", line=found["line"], column=found["column"]), "moves_path": True}
             imports.append(found)
         empty = not next(ast.iter_child_nodes(tree), None)
         return {"imports": imports, "moves_path": bool(_MOVES_PATH.search(source)), "empty": empty}
@@ -127,7 +127,7 @@ def _find_error(source: bytes, name: str) -> dict[str, Any] | None:
 
 
 def _error(kind: str, message: str = "", line: int = 0, column: int = 0) -> dict[str, Any]:
-    return {"kind": kind, "message": message[:_MAX_WORDS], "line": line, "column": column}
+    return {"wrong": kind, "message": message[:_MAX_WORDS], "line": line, "column": column}
 
 
 def _declared_encoding(source: bytes) -> tuple[int, str]:

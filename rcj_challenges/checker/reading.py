@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any, Literal
 
+from rcj_challenges.core.grouping import grouped
+
 Risk = Literal["certain", "caught", "possible"]
 """The effect of an import that fails: the program ends, catches the error, or ends if it reaches the import."""
 
@@ -81,9 +83,8 @@ def read_sources(
         first: those that matter most, in case that not all are looked into.
     """
     found: dict[PurePosixPath, Source] = {}
-    alike: dict[bytes, list[PurePosixPath]] = {}
-    for path in sorted((path for path in files if path.suffix == ".py"), key=lambda path: path not in first):
-        alike.setdefault(files[path], []).append(path)
+    programs = sorted((path for path in files if path.suffix == ".py"), key=lambda path: path not in first)
+    alike = grouped((files[path], path) for path in programs)
     left: list[PurePosixPath] = []
     room = MAX_ALL_BYTES
     for content, (path, *_) in alike.items():
@@ -131,14 +132,5 @@ def _ask(
 
 
 def _source(answer: dict[str, Any]) -> Source:
-    error = answer.get("error")
-    if error is not None:
-        return Source(
-            moves_path=error["kind"] == "imports",
-            wrong=error["kind"],
-            message=error["message"],
-            line=error["line"],
-            column=error["column"],
-        )
-    imports = tuple(Import(**{**one, "names": tuple(one["names"])}) for one in answer["imports"])
-    return Source(imports, answer["moves_path"], answer["empty"])
+    imports = tuple(Import(**{**one, "names": tuple(one["names"])}) for one in answer.pop("imports", ()))
+    return Source(imports, **answer)

@@ -6,7 +6,6 @@ import io
 import os
 import zipfile
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
@@ -17,15 +16,15 @@ from rcj_challenges.checker.layout import empty_programs
 from rcj_challenges.checker.others import others_that_fit
 from rcj_challenges.checker.renaming import plan_moves
 from rcj_challenges.core.amounts import counted
-from rcj_challenges.core.codes import CANNOT_WRITE, FILE_EXISTS
-from rcj_challenges.core.errors import RcjError, format_error, room_help
+from rcj_challenges.core.errors import taken
+from rcj_challenges.core.files import write_new
 from rcj_challenges.programs.private_folders import PrivateFolders
 from rcj_challenges.records.logos import LogoError, checked_png
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.archive import Files
 from rcj_challenges.submissions.paths import clean, folded
-from rcj_challenges.submissions.problems import MAX_OF_A_KIND, MAX_PATH_SHOWN, safe_text
+from rcj_challenges.submissions.problems import MAX_OF_A_KIND, safe_text
 from rcj_challenges.submissions.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
 from rcj_challenges.submissions.team_name import NAME_FILE, find_team_name
 
@@ -45,12 +44,6 @@ _BY_WRITING = {
     "archive.outside_folder": "left out folders that led out of the archive",
     "archive.duplicate": "kept one of two equal files",
 }
-
-
-class RepairError(RcjError):
-    """A repaired archive cannot be written to the place that was given."""
-
-    CODE = CANNOT_WRITE
 
 
 @dataclass
@@ -79,11 +72,11 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
         scenario: says which programs are asked for.
 
     Raises:
-        RepairError: something is at ``out`` already, or it cannot be written.
+        RcjError: something is at ``out`` already, or it cannot be written.
         TeamError: there is nothing at ``path`` that can be opened.
     """
     if os.path.lexists(out):
-        raise _taken(out)
+        raise taken(out)
     found = inspect(path, scenario)
     hopeless = _hopeless(found)
     if hopeless:
@@ -101,7 +94,7 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
     ]
     if written.stages[0].failed:  # two names, or a file and a folder, in one place
         return Repaired(left=result.left)
-    _write(out, data)
+    write_new(out, data)
     return result
 
 
@@ -268,26 +261,3 @@ def _zipped(files: Files) -> bytes:
             entry.external_attr = _FOLDER_MODE | _FOLDER_MARK if name.endswith("/") else _FILE_MODE
             archive.writestr(entry, content)
     return out.getvalue()
-
-
-def _taken(out: Path) -> RepairError:
-    message = f"{safe_text(out, MAX_PATH_SHOWN)}: there is something already; nothing was written"
-    return RepairError(message, "choose another name, or move it away", code=FILE_EXISTS)
-
-
-def _write(out: Path, data: bytes) -> None:
-    """Write a file that is not there yet; nothing is left of one that cannot be written whole."""
-    try:
-        file = out.open("xb")
-        try:
-            with file:
-                file.write(data)
-        except BaseException:  # an interruption too
-            with suppress(OSError):
-                out.unlink()
-            raise
-    except FileExistsError:
-        raise _taken(out) from None
-    except OSError as error:
-        message = f"{safe_text(out, MAX_PATH_SHOWN)}: cannot be written: {format_error(error)}"
-        raise RepairError(message, room_help(error)) from error

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
 
 import rcj_challenges.checker.codes
 import rcj_challenges.submissions.codes  # noqa: F401
@@ -16,6 +15,7 @@ from rcj_challenges.core.code import Level
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import SUBSTEP_S
+from rcj_challenges.records.result import Part, described
 
 if TYPE_CHECKING:
     from rcj_challenges.checker.rehearsal import Rehearsed
@@ -23,39 +23,31 @@ if TYPE_CHECKING:
 REPORT_VERSION = 1
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-def _described(text: str, **bounds: Any) -> Any:
-    return Field(description=text, **bounds)
-
-
-class StageReport(_Part):
+class StageReport(Part):
     """One stage."""
 
-    name: StageName = _described("which")
-    about: str = _described("what it is about")
-    level: Level = _described("the most severe of its findings")
-    skipped: str = _described("why it was not carried out; empty if it was")
-    findings: list[Diagnostic] = _described("what was found")
+    name: StageName = described("which")
+    about: str = described("what it is about")
+    level: Level = described("the most severe of its findings")
+    skipped: str = described("why it was not carried out; empty if it was")
+    findings: list[Diagnostic] = described("what was found")
 
 
-class RobotReport(_Part):
+class RobotReport(Part):
     """How one robot of the team did in a short match. Times are CPU and idle time and differ from run to run."""
 
-    robot: str = _described("its name")
-    path_m: float = _described("length of its path in m", ge=0)
-    turned_rad: float = _described("how far it turned, both directions added up, in rad", ge=0)
-    ball_touches: int = _described("sub-steps of 8 ms in which it touched a ball", ge=0)
-    steps: int = _described("how many times its program called step", ge=0)
-    start_s: float = _described(
+    robot: str = described("its name")
+    path_m: float = described("length of its path in m", ge=0)
+    turned_rad: float = described("how far it turned, both directions added up, in rad", ge=0)
+    ball_touches: int = described("sub-steps of 8 ms in which it touched a ball", ge=0)
+    steps: int = described("how many times its program called step", ge=0)
+    start_s: float = described(
         "CPU and idle time from the launch of its program to its first step, in s; 0: it never got there", ge=0
     )
-    step_mean_ms: float = _described("CPU and idle time of a step, on average, in ms", ge=0)
-    step_slowest_ms: float = _described("CPU and idle time of the slowest step, in ms", ge=0)
-    fault: str = _described("how it failed: crash, exit, step_timeout …; empty if it did not")
-    output: str = _described("what its program printed, if requested")
+    step_mean_ms: float = described("CPU and idle time of a step, on average, in ms", ge=0)
+    step_slowest_ms: float = described("CPU and idle time of the slowest step, in ms", ge=0)
+    fault: str = described("how it failed: crash, exit, step_timeout …; empty if it did not")
+    output: str = described("what its program printed, if requested")
 
 
 ROBOT_NUMBERS: dict[str, Callable[[RobotReport], str]] = {
@@ -70,42 +62,42 @@ ROBOT_NUMBERS: dict[str, Callable[[RobotReport], str]] = {
 """What a terminal and a page show of a robot, by the head of the column."""
 
 
-class MatchReport(_Part):
+class MatchReport(Part):
     """One short match."""
 
-    seats: list[str] = _described("where the team played")
-    opponents: dict[str, str] = _described("who played in the other seats")
-    score: dict[str, int | float] = _described("points by seat")
-    simulated_s: float = _described("how long was played in s", ge=0)
-    wall_s: float = _described("how long that took in s", ge=0)
-    layers: list[str] = _described("layers of isolation around the programs")
-    dropped_layers: dict[str, str] = _described("layers that could not be used, with the reasons", default={})
-    replay: str = _described("file of the replay page, if one was requested")
-    no_replay: str = _described("why there is no replay page although one was requested; usually empty", default="")
-    robots: list[RobotReport] = _described("the robots of the team")
+    seats: list[str] = described("where the team played")
+    opponents: dict[str, str] = described("who played in the other seats")
+    score: dict[str, int | float] = described("points by seat")
+    simulated_s: float = described("how long was played in s", ge=0)
+    wall_s: float = described("how long that took in s", ge=0)
+    layers: list[str] = described("layers of isolation around the programs")
+    dropped_layers: dict[str, str] = described("layers that could not be used, with the reasons", default={})
+    replay: str = described("file of the replay page, if one was requested")
+    no_replay: str = described("why there is no replay page although one was requested; usually empty", default="")
+    robots: list[RobotReport] = described("the robots of the team")
 
 
-class FileReport(_Part):
+class FileReport(Part):
     """The check of one submission."""
 
-    file: str = _described("name of the file or folder, with its parent folders if another one has the same name")
-    level: Level = _described(
+    file: str = described("name of the file or folder, with its parent folders if another one has the same name")
+    level: Level = described(
         "the verdict: passed, warning (it plays, but look at the findings), error, "
         "or unchecked (nothing is known: the check itself could not be carried out)"
     )
-    cause: str = _described("what to fix first and how, in one line; empty if everything is in order", default="")
-    code: str = _described("the code of the error that prevented the check; usually empty", default="")
-    blocked_by: str = _described("why it is unchecked: what could not be done; otherwise empty", default="")
-    our_fault: bool = _described("whether it is unchecked because of a bug in this project", default=False)
-    team: str = _described("name of the team, safe to show; empty if it is not known")
-    digest: str = _described("SHA-256 over names and contents of its files; empty if they cannot be read")
-    repaired: list[str] = _described("what --fix repaired before this check")
-    stages: list[StageReport] = _described("the stages, in order")
-    started: dict[str, str] = _described(
+    cause: str = described("what to fix first and how, in one line; empty if everything is in order", default="")
+    code: str = described("the code of the error that prevented the check; usually empty", default="")
+    blocked_by: str = described("why it is unchecked: what could not be done; otherwise empty", default="")
+    our_fault: bool = described("whether it is unchecked because of a bug in this project", default=False)
+    team: str = described("name of the team, safe to show; empty if it is not known")
+    digest: str = described("SHA-256 over names and contents of its files; empty if they cannot be read")
+    repaired: list[str] = described("what --fix repaired before this check")
+    stages: list[StageReport] = described("the stages, in order")
+    started: dict[str, str] = described(
         "what programs printed in the stage start, by robot, if requested and the stage failed", default={}
     )
-    matches: list[MatchReport] = _described("the short matches of the stage play")
-    wall_s: float = _described("how long the check took in s", ge=0)
+    matches: list[MatchReport] = described("the short matches of the stage play")
+    wall_s: float = described("how long the check took in s", ge=0)
     logo: bytes | None = Field(default=None, exclude=True, repr=False, description="its logo, a PNG; not in the JSON")
 
     def count(self, level: Level) -> int:
@@ -113,37 +105,37 @@ class FileReport(_Part):
         return sum(finding.level == level for stage in self.stages for finding in stage.findings)
 
 
-class Summary(_Part):
+class Summary(Part):
     """How many of the submissions passed."""
 
-    files: int = _described("how many were checked", ge=0)
-    passed: int = _described("how many are in order", ge=0)
-    warning: int = _described("how many play, but with warnings", ge=0)
-    error: int = _described("how many cannot be used as they are", ge=0)
-    unchecked: int = _described("how many could not be checked; nothing is known about them", ge=0)
+    files: int = described("how many were checked", ge=0)
+    passed: int = described("how many are in order", ge=0)
+    warning: int = described("how many play, but with warnings", ge=0)
+    error: int = described("how many cannot be used as they are", ge=0)
+    unchecked: int = described("how many could not be checked; nothing is known about them", ge=0)
 
 
-class LeftOut(_Part):
+class LeftOut(Part):
     """Something that was given, or is in a given folder, but was not checked."""
 
-    file: str = _described("its path, safe to show")
-    reason: str = _described("why not, and what to do if it should be checked")
+    file: str = described("its path, safe to show")
+    reason: str = described("why not, and what to do if it should be checked")
 
 
-class CheckReport(_Part):
+class CheckReport(Part):
     """The whole output of ``rcj-challenge check --json``."""
 
-    check: Literal[1] = _described("version of this format")
-    scenario: str = _described("id of the scenario")
-    title: str = _described("title of the scenario")
-    sandbox: str = _described("how programs were isolated: auto, strict or off")
-    level: Level = _described("the most severe verdict; unchecked if the check was interrupted")
-    interrupted: bool = _described(
+    check: Literal[1] = described("version of this format")
+    scenario: str = described("id of the scenario")
+    title: str = described("title of the scenario")
+    sandbox: str = described("how programs were isolated: auto, strict or off")
+    level: Level = described("the most severe verdict; unchecked if the check was interrupted")
+    interrupted: bool = described(
         "whether the check was interrupted before all submissions were checked", default=False
     )
     summary: Summary
-    files: list[FileReport] = _described("the submissions, in the order in which they were given")
-    left_out: list[LeftOut] = _described("what is next to them or was not reached, and was not checked", default=[])
+    files: list[FileReport] = described("the submissions, in the order in which they were given")
+    left_out: list[LeftOut] = described("what is next to them or was not reached, and was not checked", default=[])
 
     @property
     def lost_replays(self) -> int:
@@ -245,14 +237,6 @@ def match_report(match: Rehearsed, replay: str, no_replay: str, outputs: dict[st
         no_replay=no_replay,
         robots=robots,
     )
-
-
-def schema_text() -> str:
-    """Return the text of ``schemas/check.schema.json``; CI fails if the committed file differs from it."""
-    schema = CheckReport.model_json_schema(mode="serialization")
-    del schema["$defs"]["Diagnostic"]["properties"]["level"]["default"]
-    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
-    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
 LEVEL_NAMES: dict[Level, str] = {"passed": "ok", "warning": "warning", "error": "error", "unchecked": "not checked"}

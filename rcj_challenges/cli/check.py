@@ -26,12 +26,6 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.load import Loaded
 
 
-class CheckUsageError(RcjError):
-    """Options that do not fit together, or a path that cannot be opened or written."""
-
-    CODE = BAD_OPTION
-
-
 @app.register(SUBMIT, "rcj-challenge check my_team.zip", "rcj-challenge check my_team --fix my_team.zip")
 def check(
     paths: Annotated[
@@ -82,9 +76,10 @@ def check(
     require_layers(sandbox)
     given = _submissions([path_or_sample_team(path) for path in paths])
     if fix is not None and len(given.paths) != 1:
-        raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}", "give one of them")
+        message = f"--fix repairs one submission at a time, not {len(given.paths)}"
+        raise RcjError(message, "give one of them", code=BAD_OPTION)
     if fix is not None and str(fix).startswith("-"):
-        raise CheckUsageError(f"--fix {fix}: the name of the ZIP to write is missing", "--fix repaired.zip")
+        raise RcjError(f"--fix {fix}: the name of the ZIP to write is missing", "--fix repaired.zip", code=BAD_OPTION)
     # Before anything takes time.
     if html is not None:
         with _or_usage_error(html, "written"):
@@ -129,7 +124,7 @@ def _submissions(given: list[Path]) -> Submissions:
     """The submissions: of a folder full of archives each of them, everything else as it is.
 
     Raises:
-        CheckUsageError: one cannot be opened.
+        RcjError: one cannot be opened.
     """
     from rcj_challenges.checker.discovery import find_submissions
 
@@ -140,7 +135,7 @@ def _submissions(given: list[Path]) -> Submissions:
                 path.open("rb").close()
             elif not path.is_dir():
                 message = f"{sanitize(path)}: cannot be opened: it is neither a file nor a folder"
-                raise CheckUsageError(message, code=CANNOT_OPEN)
+                raise RcjError(message, code=CANNOT_OPEN)
             else:
                 find_submissions([path])
     return find_submissions(given)
@@ -154,7 +149,7 @@ def _or_usage_error(path: Path, done: str) -> Iterator[None]:
     except (OSError, ValueError) as error:
         code = CANNOT_OPEN if done == "opened" else CANNOT_WRITE
         message = f"{sanitize(path)}: cannot be {done}: {format_error(error)}"
-        raise CheckUsageError(message, room_help(error), code=code) from error
+        raise RcjError(message, room_help(error), code=code) from error
 
 
 def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | None) -> FileReport:
@@ -197,7 +192,7 @@ def _publish(report: CheckReport, html: Path | None, console: Console, *, as_jso
     """Print the report, and write the page if one is asked for: also if the report cannot be printed.
 
     Raises:
-        CheckUsageError: the page cannot be written.
+        RcjError: the page cannot be written.
     """
     try:
         if as_json:

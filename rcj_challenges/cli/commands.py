@@ -26,6 +26,3 @@ from rcj_challenges.cli import verify
 from rcj_challenges.cli.app import app
 
 __all__ = ["app"]
-
-site.register(app)
-submit.register(app)

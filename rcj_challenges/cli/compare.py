@@ -14,7 +14,6 @@ from rcj_challenges.cli.app import PLAY, app
 from rcj_challenges.cli.codes import OPTION_DOES_NOT_FIT
 from rcj_challenges.cli.simulate import Progress, prepared
 from rcj_challenges.cli.stdio import print_json, print_lines
-from rcj_challenges.cli.team_args import UsageError
 from rcj_challenges.core.amounts import counted, number_words
 from rcj_challenges.core.errors import RcjError
 
@@ -59,7 +58,7 @@ def compare(
     if bool(others) != (against is not None):
         help_ = "give --against TEAM" if others else "leave out --against"
         message = f"{loaded.scenario.id} has {counted(len(others), 'opponent')}"
-        raise UsageError(message, help_, code=OPTION_DOES_NOT_FIT)
+        raise RcjError(message, help_, code=OPTION_DOES_NOT_FIT)
     # Both have the seat of the scenario's last entrant.
     (new_jobs, new_known), (old_jobs, old_known) = (
         prepared(

@@ -16,7 +16,7 @@ from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.codes import UNKNOWN_CODE
 from rcj_challenges.cli.stdio import print_safely
 from rcj_challenges.core.code import Code
-from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import RcjError
 
 
 @app.register(WRITE, "rcj-challenge explain each-never-named")
@@ -33,11 +33,8 @@ def explain(
             print_safely(f"{name:{width}}  {one.page.splitlines()[0]}")
         return
     if code not in codes:
-        near = get_close_matches(code, codes, 1)
-        hint = f"did you mean '{near[0]}'? " if near else ""
-        raise DiagnosticError(
-            Diagnostic(UNKNOWN_CODE, f"unknown code '{code}'", f"{hint}rcj-challenge explain lists all codes")
-        )
+        hint = "".join(f"did you mean '{near}'? " for near in get_close_matches(code, codes, 1))
+        raise RcjError(f"unknown code '{code}'", f"{hint}rcj-challenge explain lists all codes", code=UNKNOWN_CODE)
     print_safely(f"{code}\n\n{codes[code].page}")
 
 

@@ -128,10 +128,10 @@ def _judge_one(folder: Path, scenario: Scenario | None, overrides: Sequence[str]
     trajectory = Trajectory.open(folder)
     judgement = rejudge(trajectory, scenario)
     log = read_referee_log(folder)
-    before = recorded(trajectory, log if log.ticks else log_of_result(result), result.score)
-    found = differences(before.events, judgement.events)
+    score, events = recorded(trajectory, log if log.ticks else log_of_result(result), result.score)
+    found = differences(events, judgement.events)
     alike = len(judgement.events) - sum(one.after is not None for one in found)
-    return _Judged(folder, result, before.scores, scenario, judgement, alike, found)
+    return _Judged(folder, result, score, scenario, judgement, alike, found)
 
 
 def _as_json(judged: _Judged) -> dict[str, Any]:

@@ -18,10 +18,6 @@ if TYPE_CHECKING:
     from rcj_challenges.views.live import LiveShow
 
 
-class LiveOptionError(RcjError):
-    """An option of the live view that does not fit."""
-
-
 class RunCommand(Command):
     """A command whose ``--live`` may stand without a port."""
 
@@ -46,13 +42,13 @@ def live_speed(port: int | None, speed: str | None, for_s: float | None) -> floa
     """Simulated over wall time of a match that is shown while it is played; infinity: as fast as it can.
 
     Raises:
-        LiveOptionError: it is no speed, or an option needs ``--live``.
+        RcjError: it is no speed, or an option needs ``--live``.
     """
     if port is None:
         for option, given in (("--speed", speed), ("--live-for", for_s)):
             if given is not None:
                 message = f"{option} is for a match that is shown while it is played"
-                raise LiveOptionError(message, "give --live too", code=OPTION_DOES_NOT_FIT)
+                raise RcjError(message, "give --live too", code=OPTION_DOES_NOT_FIT)
         return 1.0
     from rcj_challenges.views.live.pace import FASTEST, MAX_SPEED, SLOWEST
 
@@ -64,7 +60,7 @@ def live_speed(port: int | None, speed: str | None, for_s: float | None) -> floa
         factor = 0.0
     if not SLOWEST <= factor <= FASTEST:
         allowed = f"give how many times real time, from {SLOWEST:g} to {FASTEST:g}, or max"
-        raise LiveOptionError(f"--speed {speed}: not a speed", allowed, code=BAD_SPEED)
+        raise RcjError(f"--speed {speed}: not a speed", allowed, code=BAD_SPEED)
     return factor
 
 

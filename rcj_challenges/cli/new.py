@@ -17,10 +17,9 @@ import typer
 from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.codes import BAD_ARGUMENTS, BAD_NAME, OPTION_DOES_NOT_FIT, UNKNOWN_PRESET
 from rcj_challenges.cli.stdio import shell_quoted
-from rcj_challenges.core.codes import CANNOT_WRITE, FILE_EXISTS
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.core.errors import RcjError, format_error, room_help
-from rcj_challenges.core.files import is_device_of_windows
+from rcj_challenges.core.errors import RcjError, taken
+from rcj_challenges.core.files import is_device_of_windows, write_new
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.resources import names_in, starters_folder
@@ -37,12 +36,6 @@ _TEAM_FILES = {
     ".vscode/launch.json": "vscode/launch.json",
     ".vscode/tasks.json": "vscode/tasks.json",
 }
-
-
-class StarterError(RcjError):
-    """A starter that cannot be written."""
-
-    CODE = BAD_NAME
 
 
 @app.register(
@@ -91,7 +84,7 @@ def _write_team(name: str) -> None:
     """Write a team's folder with what VS Code needs to run and debug it; print what to do with it.
 
     Raises:
-        StarterError: the name is none, or there is something of that name.
+        RcjError: the name is none, or there is something of that name.
     """
     folder = Path(name)
     _refuse_name(folder.name, name)
@@ -106,8 +99,8 @@ def _write_team(name: str) -> None:
         text = (starters_folder() / "team" / source).read_text(encoding="utf-8")
         for word, value in words.items() if target == "README.md" else ():
             text = text.replace(word, value)
-        write_new(folder / target, text)
-    write_new(folder / "team_name.txt", f"{title}\n")
+        write_new(folder / target, text.encode())
+    write_new(folder / "team_name.txt", f"{title}\n".encode())
     sys.stdout.write(f"""{folder}
 Now:
   rcj-challenge run match --yellow {shell_quoted(folder)} --blue ball_chaser --duration 1:00 --open
@@ -119,11 +112,11 @@ def _write_robots(folder: Path) -> None:
     """Write the robots of a team into its folder; print what to do with them.
 
     Raises:
-        StarterError: it has some.
+        RcjError: it has some.
     """
     file = folder / "robot.yaml"
     _refuse_existing(file)
-    write_new(file, (starters_folder() / "team" / "robot_yaml.txt").read_text(encoding="utf-8"))
+    write_new(file, (starters_folder() / "team" / "robot_yaml.txt").read_bytes())
     sys.stdout.write(f"""{file}
 Now, with a challenge that has guidelines for robots:
   rcj-challenge check {shell_quoted(folder)} --scenario SCENARIO
@@ -139,11 +132,11 @@ def _write_challenge(name: str, preset: str) -> None:
         preset: on which preset it stands.
 
     Raises:
-        StarterError: there is no such preset, the name is none, or a file of that name exists.
+        RcjError: there is no such preset, the name is none, or a file of that name exists.
     """
     known = names_in(starters_folder())
     if preset not in known:
-        raise StarterError(f"unknown preset '{preset}'", choice_of(preset, known), code=UNKNOWN_PRESET)
+        raise RcjError(f"unknown preset '{preset}'", choice_of(preset, known), code=UNKNOWN_PRESET)
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     _refuse_name("" if file.name in (".yaml", ".yml") else file.name, name)
     short = _identifier(file.stem)
@@ -159,8 +152,8 @@ def _write_challenge(name: str, preset: str) -> None:
         "TEAM_FOLDER": shell_quoted(program.parent.name),
     }
     # In one go: a file may be called FILE_NAME.
-    write_new(file, re.sub("|".join(written), lambda found: written[found[0]], text))
-    write_new(program, (starters_folder() / f"{preset}.robot.txt").read_text(encoding="utf-8"))
+    write_new(file, re.sub("|".join(written), lambda found: written[found[0]], text).encode())
+    write_new(program, (starters_folder() / f"{preset}.robot.txt").read_bytes())
     sys.stdout.write(f"""{file}
 {program}
 Now:
@@ -179,27 +172,28 @@ def _refuse_name(file: str, given: str) -> None:
         given: as typed.
 
     Raises:
-        StarterError: the name is such a one.
+        RcjError: the name is such a one.
     """
     if not file.strip("."):
-        raise StarterError(f"'{sanitize(given)}' cannot be the name of a file", _CHOOSE)
+        raise RcjError(f"'{sanitize(given)}' cannot be the name of a file", _CHOOSE, code=BAD_NAME)
     if is_device_of_windows(file):
         stem = Path(file).stem
-        raise StarterError(f"'{stem}' is a device on Windows, where no file has that name", _CHOOSE)
+        raise RcjError(f"'{stem}' is a device on Windows, where no file has that name", _CHOOSE, code=BAD_NAME)
     if _NO_LETTER.search(file):
-        raise StarterError(f"'{sanitize(given)}' has a line break, a control character or stray bytes in it", _CHOOSE)
+        raise RcjError(
+            f"'{sanitize(given)}' has a line break, a control character or stray bytes in it", _CHOOSE, code=BAD_NAME
+        )
 
 
 def _refuse_existing(*paths: Path) -> None:
     """Refuse to write where something is.
 
     Raises:
-        StarterError: one of the paths exists.
+        RcjError: one of the paths exists.
     """
     for path in paths:
         if os.path.exists(path):  # noqa: PTH110 - that of pathlib raises for names that are too long
-            message = f"{path} exists already; nothing was written"
-            raise StarterError(message, "choose another name, or move it away", code=FILE_EXISTS)
+            raise taken(path)
 
 
 def _schema_seen_from(file: Path) -> str:
@@ -220,26 +214,5 @@ def _identifier(stem: str) -> str:
     """A file's stem as a name: letters, digits and _, not beginning with a digit."""
     found = re.sub(r"[^A-Za-z0-9_]+", "_", stem).strip("_")[:_MAX_ID_LENGTH]
     if not found:
-        raise StarterError(f"'{stem}' has no letter a to z and no digit in it", _CHOOSE)
+        raise RcjError(f"'{stem}' has no letter a to z and no digit in it", _CHOOSE, code=BAD_NAME)
     return f"_{found}"[:_MAX_ID_LENGTH] if found[0].isdigit() else found
-
-
-def write_new(path: Path, text: str) -> None:
-    """Write a file that is not there yet, and its folders.
-
-    Raises:
-        StarterError: it cannot be written.
-    """
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        # Exclusive: a file that appeared meanwhile is not overwritten either.
-        stream = path.open("x", encoding="utf-8", newline="\n")
-        try:
-            with stream:
-                stream.write(text)
-        except OSError:  # half of it, or nothing, would be in the way of the next attempt
-            path.unlink()
-            raise
-    except OSError as error:
-        message = f"{sanitize(path)}: cannot be written: {format_error(error)}"
-        raise StarterError(message, room_help(error), code=CANNOT_WRITE) from error

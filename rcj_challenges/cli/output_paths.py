@@ -6,21 +6,9 @@ import sys
 from pathlib import Path
 
 from rcj_challenges.cli.codes import BAD_OUT, DEVICE_NAME
-from rcj_challenges.core.codes import CANNOT_WRITE, FILE_EXISTS
-from rcj_challenges.core.errors import RcjError, format_error, room_help
+from rcj_challenges.core.codes import FILE_EXISTS
+from rcj_challenges.core.errors import RcjError, unwritable
 from rcj_challenges.core.files import is_device_of_windows
-
-
-class OutputError(RcjError):
-    """A file that cannot be written."""
-
-    CODE = CANNOT_WRITE
-
-
-class OutputNameError(RcjError):
-    """A name that a file or folder cannot have."""
-
-    CODE = DEVICE_NAME
 
 
 def refuse_devices(**outputs: Path | None) -> None:
@@ -29,38 +17,38 @@ def refuse_devices(**outputs: Path | None) -> None:
     Only the last name of a path counts: a folder of such a name exists where it can. ``outputs`` are by option.
 
     Raises:
-        OutputNameError: one of them is the name of a device.
+        RcjError: one of them is the name of a device.
     """
     for option, path in outputs.items():
         if path is not None and is_device_of_windows(path.name):
             name = path.name.partition(".")[0].rstrip()
             message = f"--{option} {path}: '{name}' is a device on Windows, where no file has that name"
-            raise OutputNameError(message, "choose another name")
+            raise RcjError(message, "choose another name", code=DEVICE_NAME)
 
 
 def check_ending(out: Path | None, endings: tuple[str, ...], complaint: str) -> None:
     """Refuse a file whose ending does not fit its content.
 
     Raises:
-        OutputError: it has none of these endings.
-        OutputNameError: it is the name of a device.
+        RcjError: it has none of these endings.
+        RcjError: it is the name of a device.
     """
     refuse_devices(out=out)
     if out is not None and out.suffix.lower() not in endings:
         help_ = f"rename it: --out {out.with_suffix(endings[0])}" if out.stem else ""
-        raise OutputError(f"--out {out}: {complaint}", help_, code=BAD_OUT)
+        raise RcjError(f"--out {out}: {complaint}", help_, code=BAD_OUT)
 
 
 def file_for_terminal(name: str) -> Path | None:
     """The file for a document without ``--out`` on a terminal, which cannot show it; None elsewhere.
 
     Raises:
-        OutputError: there is one of that name.
+        RcjError: there is one of that name.
     """
     if not sys.stdout.isatty():
         return None
     if Path(name).exists():
-        raise OutputError(f"{name} exists already; nothing was written", f"--out {name}", code=FILE_EXISTS)
+        raise RcjError(f"{name} exists already; nothing was written", f"--out {name}", code=FILE_EXISTS)
     return Path(name)
 
 
@@ -68,7 +56,7 @@ def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False
     """Write a document to a file, whose folder may be made, and print where; or to standard output.
 
     Raises:
-        OutputError: it cannot be written.
+        RcjError: it cannot be written.
     """
     if out is None:
         document = str(content)  # pictures of bytes always have a file
@@ -84,5 +72,5 @@ def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False
         # Bytes, so that no system changes the ends of lines.
         out.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
     except OSError as error:
-        raise OutputError(f"{out}: cannot be written: {format_error(error)}", room_help(error)) from error
+        raise unwritable(out, error) from error
     sys.stdout.write(f"{out}\n")

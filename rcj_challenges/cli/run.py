@@ -14,8 +14,8 @@ from rcj_challenges.cli.app import PLAY, app
 from rcj_challenges.cli.codes import BAD_TEAM_NAME, OPTION_GIVEN_TWICE, OPTIONS_CONTRADICT, UNKNOWN_ROBOT
 from rcj_challenges.cli.live import RunCommand, live_speed, serve_after_match, shown_live
 from rcj_challenges.cli.stdio import print_lines, require_layers, shown_path
-from rcj_challenges.cli.team_args import UsageError, assignments, open_teams, refuse_unknown
-from rcj_challenges.core.errors import interruption_behind
+from rcj_challenges.cli.team_args import assignments, open_teams, refuse_unknown
+from rcj_challenges.core.errors import RcjError, interruption_behind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -165,17 +165,17 @@ def _refuse_contradictions(debugged: Sequence[str], *, json_: bool, opens_no_pag
     """Refuse options that contradict each other.
 
     Raises:
-        UsageError: some do.
+        RcjError: some do.
     """
     one, code = "give one of them", OPTIONS_CONTRADICT
     if opens_no_page:
-        raise UsageError("--open opens the page of the match, and --no-replay leaves it out", one, code=code)
+        raise RcjError("--open opens the page of the match, and --no-replay leaves it out", one, code=code)
     if debugged and json_:
         message = "--debug gives a program the terminal, and --json prints the result there and nothing else"
-        raise UsageError(message, f"{one}; result.json in the record has the same", code=code)
+        raise RcjError(message, f"{one}; result.json in the record has the same", code=code)
     if len(set(debugged)) > 1:
         robots = ", ".join(sorted(set(debugged)))
-        raise UsageError("--debug is given more than once", f"give it for one of {robots}", code=OPTION_GIVEN_TWICE)
+        raise RcjError("--debug is given more than once", f"give it for one of {robots}", code=OPTION_GIVEN_TWICE)
 
 
 def _refuse_unknown_robots(loaded: Loaded, *given: str) -> None:
@@ -188,7 +188,7 @@ def _team_names(loaded: Loaded, given: list[str]) -> dict[str, str]:
     """Names that override the teams' own, made safe to show as those are.
 
     Raises:
-        UsageError: one names no entrant, or has nothing that can be shown.
+        RcjError: one names no entrant, or has nothing that can be shown.
     """
     from rcj_challenges.submissions.team import safe_name
 
@@ -196,7 +196,7 @@ def _team_names(loaded: Loaded, given: list[str]) -> dict[str, str]:
     names = {seat: safe_name(name) for seat, name in assigned.items()}
     for seat, name in names.items():
         if not name:
-            raise UsageError(f"--team-name {seat}=…: nothing of this name can be shown", code=BAD_TEAM_NAME)
+            raise RcjError(f"--team-name {seat}=…: nothing of this name can be shown", code=BAD_TEAM_NAME)
     return names
 
 

@@ -9,8 +9,8 @@ import typer
 
 from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.options import Overrides, ScenarioName
-from rcj_challenges.cli.output_paths import OutputError, check_ending, deliver, file_for_terminal
-from rcj_challenges.core.codes import FILE_EXISTS
+from rcj_challenges.cli.output_paths import check_ending, deliver, file_for_terminal
+from rcj_challenges.core.errors import taken
 
 _HTML = (".html", ".htm")
 
@@ -52,6 +52,6 @@ def sheet(
     drawing = out.with_suffix(".svg")
     shown = f"![The field]({quote(drawing.name)})"
     if drawing.exists() and not (out.is_file() and shown.encode() in out.read_bytes()):  # of no earlier sheet
-        raise OutputError(f"{drawing} exists already; nothing was written", "choose another --out", code=FILE_EXISTS)
+        raise taken(drawing)
     deliver(draw_scenario(loaded.scenario, loaded.roster), drawing)
     deliver(sheet_markdown(loaded.scenario, loaded.roster, shown), out)

@@ -18,6 +18,7 @@ from rcj_challenges.cli.stdio import print_json, print_progress, require_layers
 from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.core.amounts import counted, number_words, times
 from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.sanitize import sanitize
 
 if TYPE_CHECKING:
@@ -32,12 +33,6 @@ _OF_RECORDS = ("folder", "inputs", "states", "digest")
 _MAX_SEEDS = 100_000
 _MAX_DIGITS = 100
 """Of a seed; Python refuses to parse some thousand."""
-
-
-class SeedsError(RcjError):
-    """Seeds that cannot be parsed."""
-
-    CODE = BAD_SEEDS
 
 
 @app.register(PLAY, "rcj-challenge simulate match --seeds 1..20 --yellow my_team --blue ball_chaser")
@@ -149,18 +144,18 @@ def parse_seeds(text: str) -> list[int]:
     """Seeds of ``1..10``, ``3`` or ``1,4,7..9``.
 
     Raises:
-        SeedsError: it is none of these.
+        RcjError: it is none of these.
     """
     seeds: list[int] = []
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
         if not first.isdecimal() or (dots and not last.isdecimal()) or max(len(first), len(last)) > _MAX_DIGITS:
-            raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9")
+            raise RcjError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9", code=BAD_SEEDS)
         begin, end = int(first), int(last if dots else first)
         if not 0 <= begin <= end < begin + _MAX_SEEDS:
             help_ = f"write {end}..{begin}" if end < begin else "play them in several parts"
             message = f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MAX_SEEDS} seeds"
-            raise SeedsError(message, help_)
+            raise RcjError(message, help_, code=BAD_SEEDS)
         seeds += range(begin, end + 1)
     return seeds
 
@@ -198,12 +193,9 @@ def rank_summary(rank: Sequence[Ranked], outcomes: Sequence[Outcome]) -> dict[st
     from rcj_challenges.views.scoreboard import criterion_name
 
     results = [(outcome.job.seed, outcome.result) for outcome in outcomes if outcome.result is not None]
-    by_entrant: dict[str, list[dict[str, Any]]] = {}
-    is_finished: dict[str, list[bool]] = {}
-    for _, result in results:
-        for entry in result["ranking"]:
-            by_entrant.setdefault(entry["team"], []).append(entry)
-            is_finished.setdefault(entry["team"], []).append(all(half["ended"] for half in result["halves"]))
+    entries = [(entry["team"], entry, result) for _, result in results for entry in result["ranking"]]
+    by_entrant = grouped((entrant, entry) for entrant, entry, _ in entries)
+    is_finished = grouped((entrant, all(half["ended"] for half in one["halves"])) for entrant, _, one in entries)
     return {
         "criteria": [criterion_name(criterion) for criterion in rank],
         "matches": [{"seed": seed, "ranking": result["ranking"]} for seed, result in results],

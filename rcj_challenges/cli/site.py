@@ -9,7 +9,7 @@ from urllib.request import urlopen
 
 import typer
 
-from rcj_challenges.cli.app import ORGANIZE, Command, Group
+from rcj_challenges.cli.app import ORGANIZE, App, app
 from rcj_challenges.core.codes import CANNOT_OPEN
 from rcj_challenges.core.errors import RcjError, format_error
 from rcj_challenges.core.sanitize import sanitize
@@ -18,16 +18,13 @@ from rcj_challenges.web.codes import BAD_RESULTS, SITE_EXTRA, SITE_PROBLEMS
 if TYPE_CHECKING:
     from rcj_challenges.web.config import SiteConfig
 
-site_app = typer.Typer(
-    name="site",
-    cls=Group,
-    rich_markup_mode=None,
-    help="Host a web site on which teams hand in and are checked by playing.",
-    no_args_is_help=True,
-    add_completion=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    epilog="rcj-challenge site init club\nrcj-challenge site serve club",
+site_app = App(
+    "site",
+    "Host a web site on which teams hand in and are checked by playing.",
+    "rcj-challenge site init club",
+    "rcj-challenge site serve club",
 )
+app.add_typer(site_app, rich_help_panel=ORGANIZE)
 
 _DEMO_TEAMS = 4
 _TIMEOUT_S = 60
@@ -36,11 +33,6 @@ Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="The folder of th
 Trust = Annotated[
     bool, typer.Option("--trust-all-teams", help="Run programs also where they cannot be isolated strictly.")
 ]
-
-
-def register(app: typer.Typer) -> None:
-    """Add the commands."""
-    app.add_typer(site_app, rich_help_panel=ORGANIZE)
 
 
 def _ensure_extra() -> None:
@@ -63,7 +55,7 @@ def opened(folder: Path, *, trust_all_teams: bool = False) -> SiteConfig:
     return config
 
 
-@site_app.command("init", cls=Command, epilog="rcj-challenge site init club")
+@site_app.register(ORGANIZE, "rcj-challenge site init club")
 def init(
     folder: Folder,
     title: Annotated[str, typer.Option("--title", metavar="TEXT", help="What the pages are called.")] = "Soccer club",
@@ -85,7 +77,7 @@ def init(
     typer.echo(f"made {folder}; start it with: rcj-challenge site serve {folder}")
 
 
-@site_app.command("serve", cls=Command, epilog="rcj-challenge site serve club --host 0.0.0.0 --port 8000")
+@site_app.register(ORGANIZE, "rcj-challenge site serve club --host 0.0.0.0 --port 8000")
 def serve(
     folder: Folder,
     host: Annotated[str, typer.Option("--host", metavar="ADDRESS", help="The address to listen at.")] = "127.0.0.1",
@@ -112,7 +104,7 @@ def serve(
     serving.serve(config, host, port, dispatch=dispatch, on_start=on_start)
 
 
-@site_app.command("worker", cls=Command, epilog="rcj-challenge site worker club")
+@site_app.register(ORGANIZE, "rcj-challenge site worker club")
 def worker(folder: Folder, trust_all_teams: Trust = False) -> None:
     """Run a dispatcher: it checks what teams hand in."""
     config = opened(folder, trust_all_teams=trust_all_teams)
@@ -121,7 +113,7 @@ def worker(folder: Folder, trust_all_teams: Trust = False) -> None:
     work(config)
 
 
-@site_app.command("invite", cls=Command, epilog="rcj-challenge site invite club")
+@site_app.register(ORGANIZE, "rcj-challenge site invite club")
 def invite(
     folder: Folder,
     address: Annotated[
@@ -135,7 +127,7 @@ def invite(
     typer.echo(organizer_link(address.rstrip("/")))
 
 
-@site_app.command("migrate", cls=Command, epilog="rcj-challenge site migrate club")
+@site_app.register(ORGANIZE, "rcj-challenge site migrate club")
 def migrate(folder: Folder) -> None:
     """Bring the database up to date, after an update of this program."""
     config = opened(folder)
@@ -145,7 +137,7 @@ def migrate(folder: Folder) -> None:
     typer.echo("\n".join(done) if done else "the database is up to date")
 
 
-@site_app.command("backup", cls=Command, epilog="rcj-challenge site backup club backups/monday")
+@site_app.register(ORGANIZE, "rcj-challenge site backup club backups/monday")
 def backup(
     folder: Folder,
     target: Annotated[Path, typer.Argument(metavar="TARGET", help="A new folder, which is a site like this one.")],
@@ -161,7 +153,7 @@ def backup(
     typer.echo(f"made {target}; check it with: rcj-challenge site doctor {target}")
 
 
-@site_app.command("doctor", cls=Command, epilog="rcj-challenge site doctor backups/monday")
+@site_app.register(ORGANIZE, "rcj-challenge site doctor backups/monday")
 def doctor(folder: Folder) -> None:
     """Look for what is missing or damaged in the data of a site.
 
@@ -178,9 +170,7 @@ def doctor(folder: Folder) -> None:
     typer.echo("all is well")
 
 
-@site_app.command(
-    "rate", cls=Command, epilog="rcj-challenge site rate http://club.lan:8000/api/v1/seasons/1/results --check"
-)
+@site_app.register(ORGANIZE, "rcj-challenge site rate http://club.lan:8000/api/v1/seasons/1/results --check")
 def rate(
     results: Annotated[str, typer.Argument(metavar="FILE|ADDRESS", help="The results that a site publishes.")],
     check: Annotated[bool, typer.Option("--check", help="Only compare the table and the seeds with them.")] = False,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -36,8 +36,6 @@ _HEADS = {
 """Narrow enough for a terminal of 80 columns."""
 _NAMES = 10
 """Columns of the terminal that names have at least; longer ones take more lines."""
-_GAP = 2
-"""Between two columns of the table."""
 
 
 @app.register(WATCH, "rcj-challenge stats --explain")
@@ -92,65 +90,35 @@ def _print(console: Console, stats: Stats, *, explain: bool) -> None:
 
 
 def _print_table(console: Console, stats: Stats) -> None:
-    """Print the figures of teams, robots and balls, in parts where the terminal is narrow."""
+    """Print the figures of teams, robots and balls."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
     from rcj_challenges.views.sentences import clock
-    from rcj_challenges.views.stats.figures import figure_keys
+    from rcj_challenges.views.stats.figures import figure_keys, figures
 
     keys = [key for key in figure_keys(stats) if key not in ("faults", "calls")]
-    blocks = _blocks(stats, keys)
-    rows = [cells for block in blocks for _, cells, _ in block]
-    widths = [max(map(len, [*_HEADS[key].splitlines(), *(cells[key] for cells in rows)])) for key in keys]
     title = f"{counted(len(stats.runs), 'run')}, {clock(stats.play_ticks * TICK_S)} of play"
-    for part in _parts(widths, console.width):
-        table = Table(
-            title=title, box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 1), collapse_padding=True,
-            title_justify="left"
-        )  # fmt: skip
-        table.add_column("robot", min_width=_NAMES, overflow="fold")
-        for place in part:
-            table.add_column(_HEADS[keys[place]], justify="right", no_wrap=True)
-        for block in blocks:
-            for name, cells, style in block:
-                table.add_row(name, *(cells[keys[place]] for place in part), style=style)
-            table.add_section()
-        console.print(table)
-        title = ""
+    table = Table(
+        title=title, box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 1), collapse_padding=True,
+        title_justify="left"
+    )  # fmt: skip
+    table.add_column("robot", min_width=_NAMES, overflow="fold")
+    for key in keys:
+        table.add_column(_HEADS[key], justify="right", overflow="fold")
 
+    def add(name: str, values: Mapping[str, Any], style: str = "") -> None:
+        table.add_row(name, *(_cell(key, values.get(key)) for key in keys), style=style)
 
-def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str, str], str]]]:
-    """Rows of each team and those of the balls: name, figures by key, style."""
-    from rcj_challenges.views.stats.figures import figures
-
-    blocks = []
     for name, team in stats.teams.items():
-        block = [
-            (f"{sanitize(name, 32)}: {number_words(team.points)}", _cells(figures(team.total, stats), keys), "bold")
-        ]
+        add(f"{sanitize(name, 32)}: {number_words(team.points)}", figures(team.total, stats), "bold")
         for label, robot in sorted(team.robots.items()):
-            block.append((f"  {sanitize(label, 40)}", _cells(figures(robot, stats), keys), ""))
-        blocks.append(block)
-    of_balls = ("distance_m", "mean_mps", "max_mps")
-    balls = [
-        (sanitize(name, 32), _cells({key: figures(ball, stats)[key] for key in of_balls}, keys), "")
-        for name, ball in stats.balls.items()
-    ]
-    return [*blocks, balls]
-
-
-def _parts(widths: Sequence[int], room: int) -> list[list[int]]:
-    """Columns that stand in one table: as many as have room beside the names, all of them on 80 columns."""
-    parts: list[list[int]] = [[]]
-    left = room - _NAMES - 1
-    for place, width in enumerate(widths):
-        if parts[-1] and left < width + _GAP:
-            parts.append([])
-            left = room - _NAMES - 1
-        parts[-1].append(place)
-        left -= width + _GAP
-    return parts
+            add(f"  {sanitize(label, 40)}", figures(robot, stats))
+        table.add_section()
+    for name, ball in stats.balls.items():
+        of_ball = figures(ball, stats)
+        add(sanitize(name, 32), {key: of_ball[key] for key in ("distance_m", "mean_mps", "max_mps")})
+    console.print(table)
 
 
 def _print_calls(console: Console, stats: Stats) -> None:
@@ -164,10 +132,6 @@ def _print_calls(console: Console, stats: Stats) -> None:
     if stats.calls:
         counts = [f"{event} {count}" for event, count in sorted(stats.calls.items())]
         print_lines(console, f"about no robot: {', '.join(counts)}")
-
-
-def _cells(values: Mapping[str, Any], keys: Sequence[str]) -> dict[str, str]:
-    return {key: _cell(key, values.get(key)) for key in keys}
 
 
 def _cell(key: str, value: Any) -> str:

@@ -72,7 +72,7 @@ def require_layers(sandbox: str) -> None:
     """Print, on standard error, each layer of isolation that programs should get and do not get here.
 
     Raises:
-        IsolationError: ``strict``, and layers are missing; or no such sandbox.
+        RcjError: ``strict``, and layers are missing; or no such sandbox.
     """
     from rcj_challenges.programs.isolation import active_layers, dropped_layers
     from rcj_challenges.views.console import console_for

@@ -14,7 +14,7 @@ from urllib.parse import urlsplit
 
 import typer
 
-from rcj_challenges.cli.app import SUBMIT, Command
+from rcj_challenges.cli.app import SUBMIT, app
 from rcj_challenges.cli.codes import NOT_TAKEN, SITE_UNREACHABLE, WRONG_CARD
 from rcj_challenges.cli.options import Json
 from rcj_challenges.cli.stdio import print_json
@@ -30,21 +30,8 @@ _DONE = frozenset({"accepted", "rejected", "unchecked", "superseded"})
 _EXIT_CODES = {"accepted": 0, "rejected": 1, "unchecked": 2, "superseded": 2}
 
 
-class SubmitError(RcjError):
-    """The site cannot be reached, or does not take the archive."""
-
-
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command(
-        "submit",
-        cls=Command,
-        rich_help_panel=SUBMIT,
-        epilog="rcj-challenge submit my_team.zip --site http://club.lan:8000",
-    )(_submit)
-
-
-def _submit(
+@app.register(SUBMIT, "rcj-challenge submit my_team.zip --site http://club.lan:8000")
+def submit(
     archive: Annotated[Path, typer.Argument(metavar="FILE", help="The ZIP to hand in.")],
     site: Annotated[str, typer.Option("--site", metavar="ADDRESS", help="The address of the site.")],
     code: Annotated[
@@ -53,7 +40,7 @@ def _submit(
     ] = None,
     wait: Annotated[bool, typer.Option("--wait/--no-wait", help="Wait for the check, and print its report.")] = True,
     json_: Json = False,
-) -> None:
+) -> int:
     """Hand in a ZIP on a site, wait until it is checked, and print the report.
 
     Exit status as of check: 0: accepted; 1: rejected; 2: wrong usage, not taken, or not checked.
@@ -69,16 +56,16 @@ def _submit(
         print_json(state)
     elif wait:
         _print(state)
-    raise typer.Exit(_EXIT_CODES[state["state"]] if wait else 0)
+    return _EXIT_CODES[state["state"]] if wait else 0
 
 
 def _read(path: Path) -> bytes:
     try:
         if not path.is_file():
-            raise SubmitError(f"{sanitize(path)}: this is no file", "give a ZIP", code=CANNOT_OPEN)
+            raise RcjError(f"{sanitize(path)}: this is no file", "give a ZIP", code=CANNOT_OPEN)
         return path.read_bytes()
     except OSError as error:
-        raise SubmitError(f"{sanitize(path)}: {format_error(error)}", "give a ZIP", code=CANNOT_OPEN) from error
+        raise RcjError(f"{sanitize(path)}: {format_error(error)}", "give a ZIP", code=CANNOT_OPEN) from error
 
 
 def _print(state: dict[str, Any]) -> None:
@@ -108,11 +95,11 @@ class _Site:
         except ValueError:  # the port is not a number, or too large
             is_address = False
         if not is_address:
-            raise SubmitError(
+            raise RcjError(
                 f"--site {sanitize(address)}: this is no address", "--site http://club.lan:8000", code=BAD_OPTION
             )
         if not (code.isascii() and code.isprintable()):
-            raise SubmitError("this is no code of a card", "compare it with the card", code=WRONG_CARD)
+            raise RcjError("this is no code of a card", "compare it with the card", code=WRONG_CARD)
         self._address = address
         self._parts = parts
         self._headers = {"Authorization": f"Bearer {code}"}
@@ -128,7 +115,7 @@ class _Site:
         while True:
             try:
                 state = self._request("GET", f"/api/v1/submissions/{pk}")
-            except SubmitError as error:  # the receipt is there: a site that starts again is waited for
+            except RcjError as error:  # the receipt is there: a site that starts again is waited for
                 if error.code != "site-unreachable" or time.monotonic() - reached > _AWAY_S:
                     raise
                 time.sleep(_POLL_S)
@@ -157,7 +144,7 @@ class _Site:
             text = answer.read(10_000_000)
         except (OSError, http.client.HTTPException) as error:
             message = f"{sanitize(self._address)} cannot be reached: {format_error(error)}"
-            raise SubmitError(
+            raise RcjError(
                 message, "check the address; nothing was handed in unless there was a receipt", code=SITE_UNREACHABLE
             ) from error
         finally:
@@ -169,8 +156,8 @@ class _Site:
         if not isinstance(data, dict):
             data = {}
         if answer.status == http.client.UNAUTHORIZED:
-            raise SubmitError("the site does not know this code", "compare it with the card", code=WRONG_CARD)
+            raise RcjError("the site does not know this code", "compare it with the card", code=WRONG_CARD)
         if answer.status >= http.client.BAD_REQUEST:
             why = sanitize(data.get("message", data.get("detail", "")), 300) or answer.reason
-            raise SubmitError(f"the site did not take it: {why}", "see the message; then try again", code=NOT_TAKEN)
+            raise RcjError(f"the site did not take it: {why}", "see the message; then try again", code=NOT_TAKEN)
         return data

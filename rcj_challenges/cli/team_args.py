@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 from rcj_challenges.cli.codes import NO_SAMPLE_TEAM, OPTION_GIVEN_TWICE, UNKNOWN_ENTRANT
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.codes import BAD_OPTION
-from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.core.similarity import nearest_name
+from rcj_challenges.scenario.errors import choice_of, did_you_mean
 from rcj_challenges.scenario.resources import shipped_teams
 from rcj_challenges.tournament.codes import UNKNOWN_TEAM
 
@@ -22,10 +22,6 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant
     from rcj_challenges.scenario.models.scenario import Scenario
     from rcj_challenges.submissions.team import Team
-
-
-class UsageError(RcjError):
-    """Options that do not fit the scenario."""
 
 
 def open_teams(loaded: Loaded, given_teams: list[str]) -> dict[str, Team]:
@@ -78,7 +74,7 @@ def _sample_team(loaded: Loaded, seat: str) -> Path:
     """The sample team for a seat; see `rcj_challenges.match.samples.sample_team`.
 
     Raises:
-        UsageError: there is none.
+        RcjError: there is none.
     """
     from rcj_challenges.match.samples import sample_team
     from rcj_challenges.scenario.load import load
@@ -88,7 +84,7 @@ def _sample_team(loaded: Loaded, seat: str) -> Path:
     found = sample_team(scenario, seat, bases)
     if found is not None:
         return found
-    raise UsageError(
+    raise RcjError(
         f"who plays for {seat!r}? {_why_no_sample_team(scenario, seat, bases)}",
         f"give --team {seat}=PATH, a team with {_programs_of(scenario, seat)}",
         code=NO_SAMPLE_TEAM,
@@ -107,9 +103,8 @@ def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]
 
 def _programs_of(scenario: Scenario, seat: str) -> str:
     """Programs that a team must have, each with its robots and their kits."""
-    driven: dict[str, list[str]] = {}
-    for robot, entry in scenario.entrants[seat].robots.items():
-        driven.setdefault(entry if isinstance(entry, str) else entry[0], []).append(robot)
+    wanted = scenario.entrants[seat].robots.items()
+    driven = grouped((entry if isinstance(entry, str) else entry[0], robot) for robot, entry in wanted)
     return " and ".join(
         f"{program} for {', '.join(f'{robot} (kit {scenario.robots[robot].kit})' for robot in robots)}"
         for program, robots in driven.items()
@@ -120,48 +115,38 @@ def assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict
     """``ENTRANT=VALUE`` options by entrant.
 
     Raises:
-        UsageError: no such form, no such entrant, or one that is given twice.
+        RcjError: no such form, no such entrant, or one that is given twice.
     """
     found: dict[str, str] = {}
     for entry in given:
         seat, equals, value = entry.partition("=")
         if not equals or not value:
             example = f"write ENTRANT=VALUE, such as {option} {next(iter(seats))}=…"
-            raise UsageError(f"{option} {entry}: no entrant or no value", example, code=BAD_OPTION)
+            raise RcjError(f"{option} {entry}: no entrant or no value", example, code=BAD_OPTION)
         refuse_unknown(seat, seats, UNKNOWN_ENTRANT)
         if seat in found:
-            raise UsageError(f"{option}: {seat!r} is given twice", "leave one out", code=OPTION_GIVEN_TWICE)
+            raise RcjError(f"{option}: {seat!r} is given twice", "leave one out", code=OPTION_GIVEN_TWICE)
         found[seat] = value
     return found
 
 
 def refuse_unknown(name: str, names: Mapping[str, Any] | frozenset[str], code: Code) -> None:
-    """Raise a `UsageError` with the names that there are, if this is none of them."""
+    """Raise a `RcjError` with the names that there are, if this is none of them."""
     if name not in names:
-        nearest = nearest_name(name, names)
-        near = "" if nearest is None else f"did you mean {nearest!r}? "
-        there = f"{near}this scenario has {', '.join(sorted(names))}"
-        raise UsageError(f"{code.replace('-', ' ')} {name!r}", there, code=code)
+        raise RcjError(f"{code.replace('-', ' ')} {name!r}", choice_of(name, sorted(names)), code=code)
 
 
 def locate_team(given: str) -> Path:
     """The folder of a team: the path that was typed if it exists, else that of the sample team of that name.
 
     Raises:
-        DiagnosticError: it looks like a name, and there is no such file, folder or sample team.
+        RcjError: it looks like a name, and there is no such file, folder or sample team.
     """
     path = path_or_sample_team(Path(given))
     if os.path.exists(path) or path.name != given or path.suffix:  # noqa: PTH110 - pathlib's raises for long names
         return path
-    near = nearest_name(given.casefold(), shipped_teams())
-    suggestion = f"did you mean {near}? " if near else ""
-    raise DiagnosticError(
-        Diagnostic(
-            UNKNOWN_TEAM,
-            f"no file, folder or sample team '{sanitize(given)}'",
-            f"{suggestion}'rcj-challenge teams' lists the sample teams",
-        )
-    )
+    help_ = did_you_mean(given, shipped_teams(), "'rcj-challenge teams' lists the sample teams")
+    raise RcjError(f"no file, folder or sample team '{sanitize(given)}'", help_, code=UNKNOWN_TEAM)
 
 
 def path_or_sample_team(given: Path) -> Path:

@@ -13,9 +13,6 @@ from rcj_challenges.cli.options import Run, RunsFolder
 from rcj_challenges.cli.stdio import print_lines, shown_path
 from rcj_challenges.core.sanitize import sanitize
 
-_NARROW = 70
-"""Narrower terminals get lines instead of a table."""
-
 
 @app.register(WATCH, "rcj-challenge view", "rcj-challenge view --list")
 def view(
@@ -43,27 +40,17 @@ def _list_records(out: Path) -> None:
     Raises:
         RecordError: there is no such folder, or no record in it.
     """
-    from rich.table import Column, Table
-
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.naming import score_line
     from rcj_challenges.views.replay.browse import list_runs
 
-    table = Table(Column("record", no_wrap=True), "started", "scenario", "score")
-    rows: list[tuple[str, str, str, str]] = []
+    console = console_for()
     for row in list_runs(out):
         if row.result is None:
-            rows.append((sanitize(row.folder.name), "", "", sanitize(row.problem)))
+            print_lines(console, f"{sanitize(row.folder.name)}  {sanitize(row.problem)}")
             continue
         names = {team: entrant.name for team, entrant in row.result.entrants.items()}
         swapped = any(seat != team for half in row.result.halves for seat, team in half.sides.items())
         score = score_line(names, row.score, sides_change=swapped) + ("" if row.result.complete else "  (not complete)")
         started = row.result.started[:19].replace("T", " ")
-        rows.append((sanitize(row.folder.name), started, row.result.scenario, score))
-    console = console_for()
-    if console.width < _NARROW:  # a table would cut off its cells
-        print_lines(console, *("  ".join(filter(None, cells)) for cells in rows))
-        return
-    for cells in rows:
-        table.add_row(*cells)
-    console.print(table)
+        print_lines(console, f"{sanitize(row.folder.name)}  {started}  {row.result.scenario}  {score}")

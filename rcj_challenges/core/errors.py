@@ -6,7 +6,8 @@ import errno
 from typing import ClassVar
 
 from rcj_challenges.core.code import Code
-from rcj_challenges.core.codes import HOST_ERROR
+from rcj_challenges.core.codes import CANNOT_WRITE, FILE_EXISTS, HOST_ERROR
+from rcj_challenges.core.sanitize import sanitize
 
 
 class RcjError(Exception):
@@ -81,6 +82,17 @@ def error_hint(error: BaseException) -> str:
 def room_help(error: BaseException) -> str:
     """Return help for something that could not be written; empty unless the disk is full."""
     return "make room there, or write it elsewhere" if is_no_room(error) else ""
+
+
+def unwritable(path: object, error: BaseException) -> RcjError:
+    """Return the error about a file that cannot be written, with help if the disk is full."""
+    return RcjError(f"{sanitize(path)}: cannot be written: {format_error(error)}", room_help(error), code=CANNOT_WRITE)
+
+
+def taken(path: object) -> RcjError:
+    """Return the error about a file that would have to be overwritten."""
+    message = f"{sanitize(path)} exists already; nothing was written"
+    return RcjError(message, "choose another name, or move it away", code=FILE_EXISTS)
 
 
 def interruption_behind(error: BaseException | None) -> KeyboardInterrupt | None:

@@ -11,6 +11,8 @@ import sys
 from pathlib import Path
 from typing import BinaryIO
 
+from rcj_challenges.core.errors import taken, unwritable
+
 _DEVICES = re.compile(r"con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³]", re.IGNORECASE)
 _INVALID = re.compile(r"[^A-Za-z0-9_.-]")
 _MAX_SLUG = 120
@@ -53,6 +55,27 @@ def open_regular(path: Path) -> BinaryIO:
         return file
     file.close()
     raise OSError(errno.EINVAL, "it is a pipe or a device, not a file", str(path))
+
+
+def write_new(path: Path, content: bytes) -> None:
+    """Write a file that is not there yet, and its folders; nothing is left of one that cannot be written whole.
+
+    Raises:
+        RcjError: there is something of that name, or it cannot be written.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        file = path.open("xb")
+        try:
+            with file:
+                file.write(content)
+        except BaseException:  # an interruption too: half of it would be in the way of the next attempt
+            path.unlink(missing_ok=True)
+            raise
+    except FileExistsError:
+        raise taken(path) from None
+    except OSError as error:
+        raise unwritable(path, error) from error
 
 
 if sys.platform == "win32":

@@ -6,7 +6,6 @@ import sys
 import tempfile
 
 from rcj_challenges.core.codes import DISK_FULL, TEMPORARY_FOLDER
-from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import HostError, format_error
 from rcj_challenges.core.sanitize import sanitize
 
@@ -20,18 +19,14 @@ def temporary_folder_error(error: BaseException, trouble: str = "cannot be used"
     return HostError(message, f"make room there, or let {_VARIABLE} name another", code=TEMPORARY_FOLDER)
 
 
-class DiskFullError(DiagnosticError, HostError):
-    """The disk of the temporary folder is full, and no program has filled it."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            Diagnostic(
-                DISK_FULL,
-                f"the disk of the temporary folder{_temporary_folder()} is full, although no program of the match has "
-                "written more than its share",
-                f"free some space there, or set {_VARIABLE} to a folder with more room, and run the command again",
-            )
-        )
+def disk_full_error() -> HostError:
+    """Return the error of a full temporary folder that no program has filled."""
+    message = (
+        f"the disk of the temporary folder{_temporary_folder()} is full, although no program of the match has "
+        "written more than its share"
+    )
+    help_ = f"free some space there, or set {_VARIABLE} to a folder with more room, and run the command again"
+    return HostError(message, help_, code=DISK_FULL)
 
 
 def _temporary_folder() -> str:

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.play import Event, HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.codes import RECORD_DOES_NOT_FIT
@@ -23,17 +24,6 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
 Score = int | float
-
-
-class MisfitError(DiagnosticError):
-    """A record with other participants than the scenario, which therefore cannot judge it."""
-
-    def __init__(self, scenario: Scenario, what: str, played: Sequence[str], wanted: Sequence[str]) -> None:
-        lists = f"the match had {', '.join(played)}, the scenario has {', '.join(wanted)}"
-        differ = lists if set(played) != set(wanted) else f"their order differs: {lists}"
-        message = f"the scenario {scenario.id!r} cannot judge this match: {what} must be the same; {differ}"
-        help_ = "judge it by the scenario that was played, or one like it"
-        super().__init__(Diagnostic(RECORD_DOES_NOT_FIT, message, help_))
 
 
 @dataclass(frozen=True)
@@ -85,7 +75,7 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     The poses stay those that were recorded: placements of these rules have no effect on them.
 
     Raises:
-        MisfitError: match and scenario have different participants.
+        RcjError: match and scenario have different participants.
     """
     roster = Roster.of(scenario)
     _must_fit(trajectory, scenario, roster)
@@ -108,16 +98,10 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     return Judgement(carry_over.scores, carry_over.ranking(), events, tuple(halves), complete)
 
 
-@dataclass(frozen=True)
-class Recorded:
-    """The verdict in the record of a match, as far as its poses go: points by team, events as in ``result.json``."""
-
-    scores: dict[str, Score]
-    events: list[dict[str, Any]]
-
-
-def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score]) -> Recorded:
-    """Return the data to be compared with a judgement.
+def recorded(
+    trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score]
+) -> tuple[dict[str, Score], list[dict[str, Any]]]:
+    """Return points by team and events, as in ``result.json``, to be compared with a judgement.
 
     Of a match that was killed, or is still played, poses are written later than the referee's log, and the score when
     a half is over: events and score are taken from the log, up to the last pose. ``scores`` are those in the result.
@@ -127,7 +111,7 @@ def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score
         halves = {track.info.half: track for track in trajectory.halves}
         log = log.up_to({half: track.ticks for half, track in halves.items()})
         points = log.score(dict.fromkeys(scores, 0), lambda half: halves[half].info.teams)
-    return Recorded(points, [event_line(one.half, event) for one in log.ticks for event in one.events])
+    return points, [event_line(one.half, event) for one in log.ticks for event in one.events]
 
 
 def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:
@@ -147,26 +131,30 @@ def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str
 
 
 def _by_moment(events: Iterable[Mapping[str, Any]]) -> dict[tuple[int, int, str], list[dict[str, Any]]]:
-    grouped: dict[tuple[int, int, str], list[dict[str, Any]]] = {}
-    for event in events:
-        grouped.setdefault((event["half"], event["tick"], event["event"]), []).append(event["payload"])
-    return grouped
+    return grouped(((event["half"], event["tick"], event["event"]), event["payload"]) for event in events)
 
 
 def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> None:
     """Compare the participants.
 
     Raises:
-        MisfitError: scenario and match have different ones.
+        RcjError: scenario and match have different ones.
     """
     seats = set(scenario.entrants)
     there = (trajectory.entities, trajectory.robots, trajectory.balls, trajectory.things)
     if there != (roster.entities, roster.robots, roster.balls, roster.things):
         what = "robots, balls and obstacles, in their order,"
-        raise MisfitError(scenario, what, trajectory.things, roster.things)
+        raise _misfit(scenario, what, trajectory.things, roster.things)
     played = {seat for track in trajectory.halves for seat in track.info.teams}
     if played and played != seats:
-        raise MisfitError(scenario, "the entrants", sorted(played), sorted(seats))
+        raise _misfit(scenario, "the entrants", sorted(played), sorted(seats))
+
+
+def _misfit(scenario: Scenario, what: str, played: Sequence[str], wanted: Sequence[str]) -> RcjError:
+    lists = f"the match had {', '.join(played)}, the scenario has {', '.join(wanted)}"
+    differ = lists if set(played) != set(wanted) else f"their order differs: {lists}"
+    message = f"the scenario {scenario.id!r} cannot judge this match: {what} must be the same; {differ}"
+    return RcjError(message, "judge it by the scenario that was played, or one like it", code=RECORD_DOES_NOT_FIT)
 
 
 def _info(recorded: HalfInfo, scenario: Scenario, carry_over: CarryOver) -> HalfInfo:

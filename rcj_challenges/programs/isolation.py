@@ -50,29 +50,24 @@ _NOT_HERE = {
 }
 
 
-class IsolationError(RcjError):
-    """Strict isolation was requested but layers are missing."""
-
-    CODE = ISOLATION_MISSING
-
-
 def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]:
     """Return the layers that programs get on this platform.
 
     ``auto`` takes what there is, ``strict`` refuses to go without one, ``off`` takes only what keeps runs tidy.
 
     Raises:
-        IsolationError: ``strict``, and layers are missing; or no such sandbox.
+        RcjError: ``strict``, and layers are missing; or no such sandbox.
     """
     if sandbox not in SANDBOXES:
-        raise IsolationError(f"unknown sandbox {sandbox!r}", f"write {', '.join(SANDBOXES)}", code=UNKNOWN_SANDBOX)
+        raise RcjError(f"unknown sandbox {sandbox!r}", f"write {', '.join(SANDBOXES)}", code=UNKNOWN_SANDBOX)
     if sandbox == "off":
         return _ALWAYS
     missing = missing_layers(platform)
     if sandbox == "strict" and (refused := missing | dropped_layers(sandbox, platform)):
         lacking = "; ".join(f"{layer} ({(LAYERS | EXTRA_LAYERS)[layer]}): {why}" for layer, why in refused.items())
         message = f"--sandbox strict: layers of isolation are missing here: {lacking}"
-        raise IsolationError(message, "play with --sandbox auto, or on another computer (docs/isolation.md)")
+        help_ = "play with --sandbox auto, or on another computer (docs/isolation.md)"
+        raise RcjError(message, help_, code=ISOLATION_MISSING)
     layers = tuple(layer for layer in LAYERS if layer not in missing)
     return (*layers, *EXTRA_LAYERS) if platform == "linux" and _has_bubblewrap() else layers
 

@@ -32,7 +32,7 @@ class ProgramPool:
         """Prepare a half without programs.
 
         Raises:
-            IsolationError: the plan requires layers that are missing here.
+            RcjError: the plan requires layers that are missing here.
         """
         self._plan = plan
         active_layers(plan.sandbox)  # refuses what cannot be had

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Self
 
 from rcj_challenges.core.files import try_lock
+from rcj_challenges.core.temporary_folder import temporary_folder_error
 from rcj_challenges.programs import scratch
 
 PREFIX = "rcj-match-"
@@ -38,9 +39,12 @@ class PrivateFolders:
         """Make the place, in the temporary folder.
 
         Raises:
-            OSError: it cannot be made.
+            HostError: it cannot be made.
         """
-        self.place, self._lock_fd = _made()
+        try:
+            self.place, self._lock_fd = _made()
+        except OSError as error:
+            raise temporary_folder_error(error) from error
 
     def close(self) -> None:
         """Remove it with all that is in it. The programs must have ended. Can be called again."""

@@ -14,7 +14,6 @@ import signal
 import subprocess
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
 from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
@@ -36,21 +35,6 @@ _EXCEPTIONS_FROM, _NEGATIVE_FROM = 0xC0000000, 0xFFFF0000  # Windows reports exi
 
 NEEDS_LIFELINE = sys.platform != "linux"
 """True where the kernel does not end children with their parent."""
-
-
-@dataclass(frozen=True, slots=True)
-class Ends:
-    """The parent's ends of the pipes to a process.
-
-    Attributes:
-        read_fd, write_fd: for frames from the process, and to it.
-        lifeline_fd: the process notices when it closes, and writes its traceback when it is written to. None where the
-            kernel ends it and a signal requests the traceback.
-    """
-
-    read_fd: int
-    write_fd: int
-    lifeline_fd: int | None
 
 
 class Process:
@@ -185,8 +169,12 @@ def start(
     *,
     lifeline: bool,
     prefix: Sequence[str] = (),
-) -> tuple[Process, Ends]:
+) -> tuple[Process, int, int, int | None]:
     """Start the program that the first message will describe.
+
+    Return it with the parent's ends of three pipes: for frames from it, for frames to it, and its lifeline. It notices
+    when the last closes, and writes its traceback when that is written to; None where the kernel ends it and a signal
+    requests the traceback.
 
     Args:
         cwd: where it starts.
@@ -219,7 +207,7 @@ def start(
         undo.pop_all()
     for fd in inherited:
         os.close(fd)
-    return process, Ends(read_fd, write_fd, lifeline_fd)
+    return process, read_fd, write_fd, lifeline_fd
 
 
 def _pipe(undo: contextlib.ExitStack) -> tuple[int, int]:

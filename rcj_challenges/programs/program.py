@@ -16,7 +16,7 @@ from typing import Any
 from rcj_challenges.core.errors import HostError, RcjError, format_error, is_of_the_host
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.streams import stream_seed
-from rcj_challenges.core.temporary_folder import DiskFullError
+from rcj_challenges.core.temporary_folder import disk_full_error
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.core.traffic import Note, Observation, Request
 from rcj_challenges.programs import debugging, isolation, processes, scratch
@@ -119,7 +119,7 @@ class Program:
         """Start the process; it runs to its first ``step``, which `collect` waits for.
 
         Raises:
-            IsolationError: layers of strict isolation are missing here.
+            RcjError: layers of strict isolation are missing here.
             OSError: the log cannot be written.
             HostError: this computer cannot start one more program.
         """
@@ -298,7 +298,7 @@ class Program:
         root.mkdir()
         assignment.team.unpack(root)
         limited = "resource_limits" in layers
-        self._process, ends = processes.start(
+        self._process, read_fd, write_fd, self._lifeline_fd = processes.start(
             root,
             isolation.environment(folder),
             None if self._is_debugged else log_fd,
@@ -306,8 +306,7 @@ class Program:
             lifeline=self._portable,
             prefix=isolation.prefix(layers, folder),
         )
-        self._lifeline_fd = ends.lifeline_fd
-        channel = open_channel(ends.read_fd, ends.write_fd, self._frame_limit, portable=assignment.plan.portable)
+        channel = open_channel(read_fd, write_fd, self._frame_limit, portable=assignment.plan.portable)
         channel.send(hello_frame(assignment.spec, self._setup(root, layers)))
         self._channel = TimedChannel(channel, self.budget)
 
@@ -398,7 +397,7 @@ class Program:
         except OSError as error:
             ended = [program.name for program in self._sharing.programs if program.end_if_over_share(self._tick)]
             if not ended:
-                raise DiskFullError from error
+                raise disk_full_error() from error
             return ended
         return []
 

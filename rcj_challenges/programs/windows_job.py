@@ -13,6 +13,7 @@ if sys.platform == "win32":
 
     # winnt.h
     _BASIC_ACCOUNTING = 1
+    _ACCOUNTING_WORDS = 6  # of 8 bytes: user time, kernel time, and four that are not needed here
     _EXTENDED_LIMITS = 9
     _LIMIT_PROCESS_MEMORY = 0x100
     _LIMIT_DIE_ON_UNHANDLED_EXCEPTION = 0x400
@@ -39,18 +40,6 @@ if sys.platform == "win32":
             ("JobMemoryLimit", ctypes.c_size_t),
             ("PeakProcessMemoryUsed", ctypes.c_size_t),
             ("PeakJobMemoryUsed", ctypes.c_size_t),
-        )
-
-    class _BasicAccounting(ctypes.Structure):
-        _fields_ = (
-            ("TotalUserTime", ctypes.c_int64),
-            ("TotalKernelTime", ctypes.c_int64),
-            ("ThisPeriodTotalUserTime", ctypes.c_int64),
-            ("ThisPeriodTotalKernelTime", ctypes.c_int64),
-            ("TotalPageFaultCount", wintypes.DWORD),
-            ("TotalProcesses", wintypes.DWORD),
-            ("ActiveProcesses", wintypes.DWORD),
-            ("TotalTerminatedProcesses", wintypes.DWORD),
         )
 
     _kernel = ctypes.WinDLL("kernel32", use_last_error=True)
@@ -96,12 +85,12 @@ if sys.platform == "win32":
 
         def computed_s(self) -> float:
             """Return the processor time of all that was ever in the job, in s."""
-            accounting = _BasicAccounting()
-            size = ctypes.sizeof(accounting)
+            times = (ctypes.c_int64 * _ACCOUNTING_WORDS)()
+            size = ctypes.sizeof(times)
             _checked(
-                _kernel.QueryInformationJobObject(self._handle, _BASIC_ACCOUNTING, ctypes.byref(accounting), size, None)
+                _kernel.QueryInformationJobObject(self._handle, _BASIC_ACCOUNTING, ctypes.byref(times), size, None)
             )
-            return float(accounting.TotalUserTime + accounting.TotalKernelTime) / 1e7
+            return float(times[0] + times[1]) / 1e7
 
         def terminate(self) -> None:
             """End all that is in the job. Can be called again."""

@@ -237,17 +237,6 @@ class Trajectory:
     halves: tuple[HalfTrack, ...]
     damage: str = ""
 
-    def snapshots(self, half: int) -> Iterator[Snapshot]:
-        """Yield the snapshots of a half (1-based) from tick 1 on; its tick 0 is the half's ``start``.
-
-        Raises:
-            RecordError: that half was never begun.
-        """
-        track = next((track for track in self.halves if track.info.half == half), None)
-        if track is None:
-            raise RecordError(RECORD_INCOMPLETE, f"the record has no half {half}")
-        return track.snapshots()
-
     @classmethod
     def open(cls, folder: Path) -> Self:
         """Read the whole trajectory of a run; a damaged one is refused, as it cannot be judged again.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.devices.ball_receiver import BallReceiver
 from rcj_challenges.devices.base import Rays
 from rcj_challenges.devices.poses import Vector
@@ -29,10 +30,7 @@ class Infrared:
 
     def retune(self) -> None:
         """Look up the receivers that listen. To be called when a ball receiver was enabled, disabled or tuned."""
-        self._receivers = {}
-        for receiver in self._all_receivers:
-            if receiver.listens:
-                self._receivers.setdefault(receiver.robot, []).append(receiver)
+        self._receivers = grouped((one.robot, one) for one in self._all_receivers if one.listens)
 
     def send(self, robot: int, tick: int, poses: Poses) -> None:
         """Send each ball's packet of this tick to one robot, in the order of balls."""

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache, partial
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.play import HalfInfo, RefereeOutput
 from rcj_challenges.core.traffic import Observation, Request, RobotSpec
-from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
+from rcj_challenges.devices.base import Fitted, Sensor, SensorContext
 from rcj_challenges.devices.motor import Motors
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue
 from rcj_challenges.robots.cameras import Cameras
@@ -136,11 +137,8 @@ class DeviceManager:
 
 
 def _make_sensors(fitted: Sequence[Fitted], context: SensorContext) -> dict[int, dict[int, Sensor]]:
-    by_kind: dict[type[Device], list[Fitted]] = {}
-    for one in fitted:
-        by_kind.setdefault(type(one.device), []).append(one)
     made: dict[int, dict[int, Sensor]] = {}
-    for kind, some in by_kind.items():
+    for kind, some in grouped((type(one.device), one) for one in fitted).items():
         for one, sensor in zip(some, kind.make_sensors(some, context), strict=True):
             if sensor is not None:
                 made.setdefault(one.robot, {})[one.spec.index] = sensor

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.messages import message_text
 from rcj_challenges.core.play import HalfInfo, RefereeOutput
 from rcj_challenges.devices.ball_receiver import BallReceiver, BallReceiverDevice
@@ -112,10 +113,7 @@ class RadioHub:
         self._retune()
 
     def _retune(self) -> None:
-        self._slow = {}
-        for receiver in self._receivers.values():
-            if receiver.slow:
-                self._slow.setdefault(receiver.robot, []).append(receiver)
+        self._slow = grouped((one.robot, one) for one in self._receivers.values() if one.slow)
         self._infrared.retune()
         for referee in self._referee:
             referee.retune()
@@ -149,8 +147,8 @@ def _referee_radios(
     for one, _ in radios:
         if isinstance(one.device, SupervisorReceiverDevice):
             channels.setdefault(one.robot, set()).add(one.device.channel)
-    by_kit: dict[str, list[tuple[Receiver, frozenset[int]]]] = {}
-    for one, receiver in radios:
-        kit = scenario.robots[one.robot_name].kit
-        by_kit.setdefault(kit, []).append((receiver, frozenset(channels.get(one.robot, ()))))
+    by_kit = grouped(
+        (scenario.robots[one.robot_name].kit, (receiver, frozenset(channels.get(one.robot, ()))))
+        for one, receiver in radios
+    )
     return [RefereeRadio(scenario.kits[kit], roster, receivers) for kit, receivers in by_kit.items()]

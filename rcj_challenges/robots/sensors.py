@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.devices.base import Reader, Sensor
 from rcj_challenges.devices.poses import RobotPose
 
@@ -104,10 +105,7 @@ class RobotSensors:
         key = tuple(due)
         readers = self._known.get(key)
         if readers is None:
-            by_class: dict[type[Sensor], list[Sensor]] = {}
-            for device in due:
-                sensor = self._sensors[device]
-                by_class.setdefault(type(sensor), []).append(sensor)
+            by_class = grouped((type(self._sensors[device]), self._sensors[device]) for device in due)
             readers = self._known[key] = [kind.reader(some) for kind, some in by_class.items()]
         self._due = readers
         enabled = (self._sensors[device] for device in self._schedule.enabled())

@@ -52,10 +52,10 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     return None if found is None else folded[found]
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """Return ``did you mean 'x'?``, or an empty text; arguments as for `nearest`."""
+def did_you_mean(word: str, known: Iterable[str], then: str = "") -> str:
+    """Return ``did you mean 'x'?``, unless nothing is alike, and then a text; arguments as for `nearest`."""
     name = nearest(word, known)
-    return "" if name is None else f"did you mean '{name}'?"
+    return then if name is None else f"did you mean '{name}'? {then}".rstrip()
 
 
 def choice_of(word: str, known: Iterable[str], noun: str = "") -> str:
@@ -66,8 +66,7 @@ def choice_of(word: str, known: Iterable[str], noun: str = "") -> str:
     names = list(known)
     if not names:
         return f"this scenario has no {noun}" if noun else ""
-    hint = did_you_mean(word, names)
-    return f"{hint}{' ' if hint else ''}allowed here: {listing(names, 40)}"
+    return did_you_mean(word, names, f"allowed here: {listing(names, 40)}")
 
 
 def cut(text: str) -> str:

@@ -13,7 +13,6 @@ from __future__ import annotations
 import inspect
 import json
 from collections.abc import Iterable
-from pathlib import Path
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, StringConstraints
@@ -23,7 +22,6 @@ from pydantic_core import PydanticUndefined
 from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point
 from rcj_challenges.rules.values import Amount, Lasts, Limit, Waits
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, without_none
 
 FILE = "scenario.schema.json"
@@ -100,12 +98,6 @@ def scenario_schema() -> _Json:
 def schema_text() -> str:
     """Return the schema as it is committed."""
     return json.dumps(scenario_schema(), indent=1, ensure_ascii=False) + "\n"
-
-
-def schema_is_fresh(folder: Path | None = None) -> bool:
-    """Return whether the committed schema, in a folder or in that of the shipped ones, is that of the models."""
-    file = (folder or schemas_folder()) / FILE
-    return file.is_file() and file.read_text(encoding="utf-8") == schema_text()
 
 
 def sentence_of(model: type[BaseModel]) -> str:

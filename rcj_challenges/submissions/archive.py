@@ -205,11 +205,7 @@ def _from_folder(folder: Path) -> Contents:
         files[relative] = path.read_bytes()
     # Names that only another computer refuses do not matter in a folder.
     for problem in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
-        problems.add(
-            Diagnostic(
-                problem.code, problem.message, problem.help, problem.where, repair=problem.repair, level="warning"
-            )
-        )
+        problems.add(replace(problem, level="warning"))
     _report_nested(files, problems)
     if not files and not any(problem.code == "archive.link" for problem in problems):
         problems.add(_no_files())

@@ -9,10 +9,9 @@ from zoneinfo import ZoneInfo
 from rcj_challenges.core.code import Code, Level
 from rcj_challenges.core.diagnostics import Diagnostic, InTree
 from rcj_challenges.scenario.codes import MISSING_KEY
-from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
 from rcj_challenges.tournament import codes
-from rcj_challenges.tournament.errors import did_you_mean
 from rcj_challenges.tournament.formats import Stage
 from rcj_challenges.tournament.formats.stage import Intake, StageSize
 from rcj_challenges.tournament.models import FromModel

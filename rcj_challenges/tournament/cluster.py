@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Self
@@ -32,14 +32,8 @@ _UNFIT_HELP = "install the same versions there, or end that worker; with --share
 
 
 @dataclass
-class _Waiting:
-    job: MatchJob
-    failures: int = 0
-
-
-@dataclass
 class _Running:
-    waiting: _Waiting
+    job: MatchJob
     worker: str
     future: Future
 
@@ -60,7 +54,8 @@ class ClusterExecutor:
     versions: Mapping[str, str]
     is_shared: bool
     on_note: Callable[[str], None]
-    _queue: deque[_Waiting] = field(default_factory=deque)
+    _queue: deque[MatchJob] = field(default_factory=deque)
+    _failures: Counter[str] = field(default_factory=Counter)
     _running: list[_Running] = field(default_factory=list)
     _threads: dict[str, int] = field(default_factory=dict)
     _refused: dict[str, str] = field(default_factory=dict)
@@ -95,7 +90,7 @@ class ClusterExecutor:
 
     def submit(self, job: MatchJob) -> None:
         """Play a job as soon as a worker is free for it."""
-        self._queue.append(_Waiting(job))
+        self._queue.append(job)
         self._hand_out()
 
     def poll(self) -> list[JobOutcome]:
@@ -134,13 +129,13 @@ class ClusterExecutor:
         while self._queue and max(free.values(), default=0) > 0:
             worker = max(free, key=free.__getitem__)
             free[worker] -= 1
-            waiting = self._queue.popleft()
-            inputs = {} if self.is_shared else self.place.read_inputs(waiting.job)
+            job = self._queue.popleft()
+            inputs = {} if self.is_shared else self.place.read_inputs(job)
             future = self._client.submit(
-                cluster_worker.play, waiting.job.to_json(), inputs, self._shared_folder, workers=[worker], pure=False
+                cluster_worker.play, job.to_json(), inputs, self._shared_folder, workers=[worker], pure=False
             )
             future.add_done_callback(lambda _: self._woken.set())
-            self._running.append(_Running(waiting, worker, future))
+            self._running.append(_Running(job, worker, future))
 
     def _outcome(self, one: _Running) -> JobOutcome | None:
         """Return the outcome of a job; None if it still runs, or waits for another worker."""
@@ -165,19 +160,19 @@ class ClusterExecutor:
             self._threads.pop(one.worker, None)
             return self._failed(one, f"the worker {one.worker} cannot go on: {returned.complaint}", is_host_error=True)
         if returned.result is None:
-            return JobOutcome(one.waiting.job, None, complaint=returned.complaint)
-        folder = self.place.playing / (returned.folder or one.waiting.job.id)
+            return JobOutcome(one.job, None, complaint=returned.complaint)
+        folder = self.place.playing / (returned.folder or one.job.id)
         cluster_worker.write_files(folder, returned.files)
-        return JobOutcome(one.waiting.job, returned.result, folder)
+        return JobOutcome(one.job, returned.result, folder)
 
     def _failed(self, one: _Running, complaint: str, *, is_host_error: bool = False) -> JobOutcome | None:
         """Hand a job out again if it may be, and there is still a worker if this one cannot go on."""
-        one.waiting.failures += 1
-        if one.waiting.failures < _MAX_ATTEMPTS and (self._threads or not is_host_error):
-            self._queue.appendleft(one.waiting)
+        self._failures[one.job.id] += 1
+        if self._failures[one.job.id] < _MAX_ATTEMPTS and (self._threads or not is_host_error):
+            self._queue.appendleft(one.job)
             self._note([f"{complaint}; its match is handed out again"])
             return None
-        return JobOutcome(one.waiting.job, None, complaint=complaint, is_host_error=is_host_error)
+        return JobOutcome(one.job, None, complaint=complaint, is_host_error=is_host_error)
 
     # --- workers ------------------------------------------------------------------------------------------------------
 

@@ -14,12 +14,11 @@ from pathlib import Path
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
 from rcj_challenges.submissions.paths import ignored_folder
 from rcj_challenges.tournament import codes
-from rcj_challenges.tournament.errors import did_you_mean
 from rcj_challenges.tournament.models import ChallengeScenario, General, TeamModel
 from rcj_challenges.tournament.season import Team
 

@@ -6,7 +6,6 @@ import json
 from typing import Any
 
 from rcj_challenges.scenario.json_schema import SchemaWriter, sentence_of
-from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.tournament.tournament_file import Tournament
 
 FILE = "tournament.schema.json"
@@ -32,9 +31,3 @@ def tournament_schema() -> dict[str, Any]:
 def schema_text() -> str:
     """Return the schema as it is committed."""
     return json.dumps(tournament_schema(), indent=2, ensure_ascii=False) + "\n"
-
-
-def schema_is_fresh() -> bool:
-    """Return whether the committed schema is that of the models."""
-    file = schemas_folder() / FILE
-    return file.is_file() and file.read_text(encoding="utf-8") == schema_text()

@@ -13,7 +13,7 @@ from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.files import open_regular
 from rcj_challenges.scenario.codes import NO_SUCH_FILE, UNREADABLE_FILE, WRONG_VALUE
-from rcj_challenges.scenario.errors import ScenarioError, listing
+from rcj_challenges.scenario.errors import ScenarioError, did_you_mean, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.messages.explain import explain
@@ -24,7 +24,6 @@ from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of,
 from rcj_challenges.tournament.checks import Checks
 from rcj_challenges.tournament.codes import UNKNOWN_SCENARIO, WRONG_SCENARIO
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
-from rcj_challenges.tournament.errors import TournamentFileError, did_you_mean
 from rcj_challenges.tournament.models import Records
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
@@ -65,7 +64,7 @@ def load_tournament(source: str | Path) -> LoadedTournament:
     """Load a tournament from a file, or by the bare name of a shipped one (``cup``).
 
     Raises:
-        TournamentFileError: all its mistakes.
+        ScenarioError: all its mistakes.
     """
     path = find_tournament(source)
     return load_tree(read_tree(path, str(source) if path == Path(source) else path.name), path)
@@ -75,7 +74,7 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
     """Load a tournament from the tree of its file.
 
     Raises:
-        TournamentFileError: all its mistakes.
+        ScenarioError: all its mistakes.
     """
     tournament, tree = _validated(tree)
     names = ScenarioNames(tournament, path.parent)
@@ -97,7 +96,7 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
     problems += lists.problems
     problems += Checks(tournament, teams, infos, tree, names, are_teams_known=not lists.problems).problems()
     if any(one.level == "error" for one in problems):
-        raise TournamentFileError(problems)
+        raise ScenarioError(problems)
     return LoadedTournament(tournament, path.stem, path, entries, infos, tuple(problems))
 
 
@@ -105,7 +104,7 @@ def find_tournament(source: str | Path) -> Path:
     """Return the file of a tournament by its path, or by the bare name of a shipped one.
 
     Raises:
-        TournamentFileError: there is no such file.
+        ScenarioError: there is no such file.
     """
     path = Path(source)
     try:
@@ -118,34 +117,34 @@ def find_tournament(source: str | Path) -> Path:
         return tournaments_folder() / f"{source}.yaml"
     help_ = did_you_mean(str(source), shipped, f"Shipped are {listing(shipped)}")
     message = "no such file, and no shipped tournament of that name"
-    raise TournamentFileError([Mark(str(source)[:200]).error(NO_SUCH_FILE, message, help_)])
+    raise ScenarioError([Mark(str(source)[:200]).error(NO_SUCH_FILE, message, help_)])
 
 
 def read_tree(path: Path, shown: str) -> Node:
     """Return a file's tree.
 
     Raises:
-        TournamentFileError: it cannot be read, or is not strict YAML.
+        ScenarioError: it cannot be read, or is not strict YAML.
     """
     try:
         with open_regular(path) as file:
             return parse_bytes(file.read(MAX_BYTES + 1), shown)
     except OSError as error:
         help_ = "give a file that you may read"
-        raise TournamentFileError([Mark(shown).error(UNREADABLE_FILE, format_error(error), help_)]) from None
+        raise ScenarioError([Mark(shown).error(UNREADABLE_FILE, format_error(error), help_)]) from None
     except ScenarioError as error:
         help_ = "the file is read as strict YAML: correct this line"
-        raise TournamentFileError(replace(one, help=one.help or help_) for one in error.diagnostics) from None
+        raise ScenarioError(replace(one, help=one.help or help_) for one in error.diagnostics) from None
 
 
 def _validated(tree: Node) -> tuple[Tournament, Entries]:
     if not isinstance(tree, Entries):
         help_ = "write keys and their values: 'tournament_version', 'title', 'seed', 'stages', …"
-        raise TournamentFileError([tree.mark.error(WRONG_VALUE, "a tournament file is a mapping", help_)])
+        raise ScenarioError([tree.mark.error(WRONG_VALUE, "a tournament file is a mapping", help_)])
     try:
         return Tournament.model_validate(plain(tree)), tree
     except ValidationError as error:
-        raise TournamentFileError(explain(error, tree, Tournament, are_empty_reported=False)) from None
+        raise ScenarioError(explain(error, tree, Tournament, are_empty_reported=False)) from None
 
 
 def _samples(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -11,6 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.records.folder import RESULT
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.tournament.store.store import Store
@@ -92,18 +93,14 @@ class Played:
 
     matches: Mapping[str, PlayedMatch] = field(default_factory=dict)
     submissions: tuple[Submission, ...] = ()
-    withdrawals: Mapping[str, tuple[RulingRow, ...]] = field(default_factory=dict)
+    withdrawals: Mapping[str, Sequence[RulingRow]] = field(default_factory=dict)
 
 
 def read_played(store: Store) -> Played:
     """Return all that was played, decided and submitted."""
-    rulings: dict[str, list[RulingRow]] = {}
-    withdrawals: dict[str, tuple[RulingRow, ...]] = {}
-    for row in store.rulings():
-        if row.fixture:
-            rulings.setdefault(row.fixture, []).append(row)
-        else:
-            withdrawals[row.team] = (*withdrawals.get(row.team, ()), row)
+    decided = store.rulings()
+    rulings = grouped((row.fixture, row) for row in decided if row.fixture)
+    withdrawals = grouped((row.team, row) for row in decided if not row.fixture)
     matches: dict[str, PlayedMatch] = {}
     for played, job in store.played_rows():
         folder = store.place.record_of(job.id)

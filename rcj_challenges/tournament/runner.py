@@ -40,20 +40,18 @@ class Progress:
     Attributes:
         state: of the tournament; some of the newest outcomes may be missing in it.
         done: with an outcome.
-        running: that are being played.
         left: without an outcome, as far as is known.
         left_s: time for these; None if unknown.
     """
 
     state: SeasonState
     done: int
-    running: int
     left: int
     left_s: float | None
 
 
 class RunObserver:
-    """Sees what a run does."""
+    """Sees what a run does; what is not overridden does nothing."""
 
     def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:
         """A match has an outcome."""
@@ -63,9 +61,6 @@ class RunObserver:
 
     def played_again(self, fixture: Fixture) -> None:
         """A time limit decided something in a match, so it will be played once more, alone."""
-
-    def moment(self, progress: Progress) -> None:
-        """Nothing has happened for a moment."""
 
 
 @dataclass
@@ -132,8 +127,6 @@ class Runner:
                 self._take(outcome)
             if done and (not self._open or (_is_challenge(self._open[0]) and not all(map(_is_challenge, done)))):
                 self._recompute()  # it may have been the match that the next round waited for
-            elif not outcomes:
-                self.observer.moment(self._progress())
 
     def _feed(self) -> None:
         """Give the executor work: matches side by side, and when all are over those that are to be played alone."""
@@ -225,14 +218,13 @@ class Runner:
             self._compute_state()
         expected = sum(stage.expected_matches for stage in self._state.stages)
         done = len(self._played.keys() | self._state.outcomes.keys())
-        running = min(len(self._tasks), self.executor.lanes)
         left = max(expected - done, len(self._open) + len(self._tasks) + len(self._alone))
         left_s = None
         if self._planned_s:
             work = self.tournament.work_left(self._state)
             mean_s = sum(one.matches * one.mean_s for one in work) / max(1, sum(one.matches for one in work))
             left_s = self._wall_s / self._planned_s * mean_s * left / self.executor.lanes
-        return Progress(self._state, done, running, left, left_s)
+        return Progress(self._state, done, left, left_s)
 
     def _keep_progress(self) -> None:
         """Write the progress for `status` in another terminal."""

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import groupby
 from typing import Any
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.tournament.season import Row, Table
 
 
@@ -115,7 +117,10 @@ class _Ranking:
     rules: TableRules
     tallies: Mapping[str, Tally]
     by_lot: set[str] = field(default_factory=set)
-    _by_team: dict[str, list[Match]] = field(default_factory=dict)
+
+    @cached_property
+    def _by_team(self) -> dict[str, list[Match]]:
+        return grouped((match.teams[0], match) for match in self.matches)
 
     def levels(self, teams: list[str], words: Sequence[str]) -> list[list[str]]:
         """Return teams best first; those that are level in all criteria are in one list."""
@@ -153,9 +158,6 @@ class _Ranking:
         return sum(sorted(points)[1:-1] if word == "median_buchholz" and len(points) > 2 else points)
 
     def _head_to_head(self, teams: list[str]) -> dict[str, Any]:
-        if not self._by_team:
-            for match in self.matches:
-                self._by_team.setdefault(match.teams[0], []).append(match)
         among = set(teams)
         matches = [match for team in teams for match in self._by_team.get(team, ()) if match.teams[1] in among]
         met = {frozenset(match.teams) for match in matches}

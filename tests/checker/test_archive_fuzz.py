@@ -70,12 +70,12 @@ def check_holds(folder: Path, data: bytes, *, mend: bool) -> None:
         for text in (finding.message, finding.help, finding.where):
             assert len(text) < 3000
             assert safe_text(text, 3000) == text
-    assert safe_text(inspection.display_name) == inspection.display_name
+    assert safe_text(inspection.opening.name.text) == inspection.opening.name.text
     failed = any(stage.failed for stage in inspection.stages)
     assert failed or inspection.team is not None
     try:
         team = open_team(path, *scenario().entrants.values())
-        assert inspection.digest == team.digest
+        assert inspection.team.digest == team.digest
     except TeamError:
         assert inspection.team is None
         assert failed

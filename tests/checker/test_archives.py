@@ -61,7 +61,7 @@ def test_each_defect_is_named_with_help_and_a_match_refuses_the_same_archives(tm
     assert found[0].help or case.level == "passed"
     assert all(harmless(finding.message + finding.where + finding.help) for finding in findings(inspection))
     assert all(len(finding.message) < 1000 for finding in findings(inspection))
-    assert harmless(inspection.display_name)
+    assert harmless(inspection.opening.name.text)
     try:
         team = open_team(tmp_path / "team.zip", *scenario(case.scenario).entrants.values())
     except TeamError as error:
@@ -70,7 +70,7 @@ def test_each_defect_is_named_with_help_and_a_match_refuses_the_same_archives(tm
         assert harmless(str(error))  # noqa: PT017 - what is refused is refused in words
     else:
         assert inspection.team is not None
-        assert (inspection.digest, inspection.display_name) == (team.digest, team.name)
+        assert (inspection.team.digest, inspection.opening.name.text) == (team.digest, team.name)
 
 
 @pytest.mark.parametrize("case", (SEEN | IMPORTS | SOURCES).values(), ids=SEEN | IMPORTS | SOURCES)
@@ -169,7 +169,7 @@ robots: {B2: null, B3: null, Y2: null, Y3: null}
 )
 def test_a_name_is_one_line_and_changes_no_files_place(tmp_path: Path, content: bytes, name: str) -> None:
     inspection = inspected(tmp_path, named(content))
-    assert inspection.display_name == name
+    assert inspection.opening.name.text == name
     assert inspection.team is not None
     copy = tmp_path / "copy"
     copy.mkdir()
@@ -192,7 +192,7 @@ def test_a_folder_is_checked_as_its_archive(tmp_path: Path) -> None:
         path.write_bytes(content)
     from_folder = inspect(tmp_path / "team", scenario())
     assert all(stage.level == "passed" for stage in from_folder.stages)
-    assert from_folder.digest == inspected(tmp_path, plain(SOUND)).digest
+    assert from_folder.team.digest == inspected(tmp_path, plain(SOUND)).team.digest
 
 
 def team_folder(folder: Path) -> Path:

@@ -19,7 +19,7 @@ from rcj_challenges.checker import many, playing, report_files, starting
 from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report
 from rcj_challenges.checker.discovery import name_submissions
 from rcj_challenges.checker.many import check_many
-from rcj_challenges.checker.report import check_report, schema_text, summary, verdict
+from rcj_challenges.checker.report import check_report, summary, verdict
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_report
 from rcj_challenges.core.errors import HostError
@@ -27,6 +27,7 @@ from rcj_challenges.records.codes import RECORD_DAMAGED
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.errors import PhysicsFault
+from scripts.write_schemas import check_text
 from tests.checker.alone import ONE_EACH, alone
 from tests.checker.small_team import PLAYER, write_team
 
@@ -107,7 +108,7 @@ def test_a_fault_of_ours_is_reported_as_such_everywhere_and_ends_with_3(team, mo
     assert "a fault of the check itself and says nothing about the team" in verdict(stumbled)
     data = json.loads(json.dumps(checked.model_dump(mode="json")))
     assert [file["level"] for file in data["files"]] == ["error", "unchecked", "unchecked", "unchecked"]
-    jsonschema.validate(data, json.loads(schema_text()))
+    jsonschema.validate(data, json.loads(check_text()))
     page = html_page(checked, tmp_path)
     assert page.count(">not checked</span>") == 8  # three in the table, three in the heads, two stages
     stream = io.StringIO()

@@ -118,7 +118,7 @@ def test_files_in_usual_encodings_are_read(encoding: str) -> None:
     ],
 )
 def test_files_in_odd_encodings_are_not_decoded(source: bytes) -> None:
-    assert reader.read_source(source + b"a" * 70_000, "robot.py")["error"]["kind"] == "odd_encoding"
+    assert reader.read_source(source + b"a" * 70_000, "robot.py")["wrong"] == "odd_encoding"
 
 
 def test_words_about_encodings_below_the_second_line_mean_nothing() -> None:
@@ -128,6 +128,6 @@ def test_words_about_encodings_below_the_second_line_mean_nothing() -> None:
 @pytest.mark.parametrize("head", [b"", b"# coding: utf-8\n", b"\xef\xbb\xbf"])
 def test_a_comment_that_is_not_utf8_is_refused_with_its_line(head: bytes) -> None:
     """Python refuses such a file when it runs it; `compile` passes over comments."""
-    error = reader.read_source(head + b"import a\n# f\xfcr\n", "robot.py")["error"]
+    error = reader.read_source(head + b"import a\n# f\xfcr\n", "robot.py")
     assert error["line"] == head.count(b"\n") + 2
-    assert describe_error(Source(wrong=error["kind"], message=error["message"]), b"")[0] == "sources.encoding"
+    assert describe_error(Source(wrong=error["wrong"], message=error["message"]), b"")[0] == "sources.encoding"

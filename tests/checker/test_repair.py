@@ -15,7 +15,9 @@ from hypothesis import strategies as st
 
 from rcj_challenges.checker import repair as repairing
 from rcj_challenges.checker.archives import Inspection, inspect
-from rcj_challenges.checker.repair import Repaired, RepairError, repair
+from rcj_challenges.checker.repair import Repaired, repair
+from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.files import write_new
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.team import open_team
@@ -191,7 +193,7 @@ def test_nothing_is_ever_overwritten(tmp_path: Path) -> None:
     (tmp_path / "team.zip").write_bytes(plain(SOUND))
     (tmp_path / "out.zip").write_bytes(b"mine")
     for out in ("team.zip", "out.zip", "."):
-        with pytest.raises(RepairError, match="there is something"):
+        with pytest.raises(RcjError, match="exists already"):
             repair(tmp_path / "team.zip", tmp_path / out, scenario())
     assert (tmp_path / "out.zip").read_bytes() == b"mine"
     assert (tmp_path / "team.zip").read_bytes() == plain(SOUND)
@@ -203,7 +205,7 @@ def test_a_file_that_appears_meanwhile_is_not_overwritten(tmp_path: Path, monkey
 
     zipped = repairing._zipped
     monkeypatch.setattr(repairing, "_zipped", lambda files: out.write_bytes(b"mine") and zipped(files))
-    with pytest.raises(RepairError, match="there is something already"):
+    with pytest.raises(RcjError, match="exists already"):
         repair(tmp_path / "team.zip", out, scenario())
     assert out.read_bytes() == b"mine"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.zip", "team.zip"]
@@ -215,7 +217,7 @@ def test_an_interrupted_repair_leaves_no_file(tmp_path: Path) -> None:
             raise KeyboardInterrupt
 
     with pytest.raises((KeyboardInterrupt, TypeError)):  # before Python 3.12 it is no buffer
-        repairing._write(tmp_path / "out.zip", Interrupts())  # type: ignore[arg-type]
+        write_new(tmp_path / "out.zip", Interrupts())  # type: ignore[arg-type]
     assert not (tmp_path / "out.zip").exists()
 
 
@@ -299,9 +301,9 @@ def test_any_combination_of_defects_is_put_right_once_and_for_all(
 def test_the_name_that_is_kept_is_the_one_that_was_shown(tmp_path: Path) -> None:
     data = named("\u202e<b>Évil</b>\x1b[2J \n and more".encode())
     (tmp_path / "team.zip").write_bytes(data)
-    before = inspect(tmp_path / "team.zip", scenario()).display_name
+    before = inspect(tmp_path / "team.zip", scenario()).opening.name.text
     _, out = repaired(tmp_path, data)
-    assert inspect(out, scenario()).display_name == before
+    assert inspect(out, scenario()).opening.name.text == before
     assert contents(out)["team_name.txt"].decode() == f"{before}\n"
 
 

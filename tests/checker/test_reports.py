@@ -26,7 +26,6 @@ from rcj_challenges.checker.report import (
     StageReport,
     check_report,
     first_cause,
-    schema_text,
     summary,
     verdict,
 )
@@ -35,6 +34,7 @@ from rcj_challenges.checker.report_text import print_report
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.sanitize import sanitize
+from scripts.write_schemas import check_text
 
 PNG = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
@@ -118,13 +118,13 @@ def test_on_a_terminal_of_any_width_each_number_of_a_robot_can_be_read(width):
 
 def test_the_committed_schema_is_fresh():
     committed = Path(__file__).parents[2] / "schemas" / "check.schema.json"
-    assert committed.read_text("utf-8") == schema_text()
+    assert committed.read_text("utf-8") == check_text()
 
 
 def test_every_report_matches_the_schema_and_can_be_read_back():
     made = report(file_report(findings=[finding()], logo=PNG, matches=[match_report()]), file_report("other.zip"))
     data = json.loads(json.dumps(made.model_dump(mode="json")))
-    jsonschema.validate(data, json.loads(schema_text()))
+    jsonschema.validate(data, json.loads(check_text()))
     assert CheckReport.model_validate(data).summary == made.summary
     assert "logo" not in data["files"][0]
 

@@ -15,7 +15,6 @@ from typer.testing import CliRunner
 
 from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.draw import draw
-from rcj_challenges.cli.new import StarterError
 from rcj_challenges.cli.sheet import sheet as write_sheet
 from rcj_challenges.cli.stdio import shell_quoted
 from rcj_challenges.core.errors import RcjError
@@ -198,7 +197,7 @@ class TestNew:
     @pytest.mark.parametrize("name", ["a\nb", "a\x7fb", "a\x85b", "a\udcff", "a\u2028b", "a\ufeffb"])
     def test_a_name_that_no_yaml_can_hold_is_refused_and_nothing_is_written(self, tmp_path, name):
         error = call("new", tmp_path / name).exception
-        assert isinstance(error, StarterError)
+        assert isinstance(error, RcjError)
         assert error.code == "bad-name"
         assert list(tmp_path.iterdir()) == []
 
@@ -221,7 +220,7 @@ class TestNew:
         path.parent.mkdir(exist_ok=True)
         path.write_text("mine", encoding="utf-8")
         done = call("new", tmp_path / "it")
-        assert isinstance(done.exception, StarterError)
+        assert isinstance(done.exception, RcjError)
         assert done.exception.code == "file-exists"
         assert path.read_text(encoding="utf-8") == "mine"
         assert sum(file.is_file() for file in tmp_path.rglob("*")) == 1
@@ -248,7 +247,7 @@ class TestNew:
 
     def test_a_name_that_no_system_takes_is_reported(self, tmp_path):
         done = call("new", tmp_path / ("x" * 5000))
-        assert isinstance(done.exception, StarterError)
+        assert isinstance(done.exception, RcjError)
         assert done.exception.code == "cannot-write"
         assert len(str(done.exception)) < 500
 

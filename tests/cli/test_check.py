@@ -15,10 +15,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.checker import many
-from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli import check as check_command
-from rcj_challenges.cli.check import CheckUsageError
 from rcj_challenges.core.errors import RcjError
+from scripts.write_schemas import check_text
 from tests.cli.in_this_process import one_after_the_other
 
 COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
@@ -87,7 +86,7 @@ def test_json_prints_the_report_and_nothing_else(good, bad, capsys, monkeypatch)
     out, err = capsys.readouterr()
     assert err == ""
     report = json.loads(out)
-    jsonschema.validate(report, json.loads(schema_text()))
+    jsonschema.validate(report, json.loads(check_text()))
     assert [file["level"] for file in report["files"]] == ["passed", "error"]
     assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "error": 1, "unchecked": 0}
 
@@ -109,7 +108,7 @@ def test_a_path_that_cannot_be_opened_ends_with_2(tmp_path, good):
 
 @pytest.mark.parametrize("path", ["/dev/zero", "a\0b"])
 def test_what_is_no_file_is_not_read(path):
-    with pytest.raises(CheckUsageError) as refused:
+    with pytest.raises(RcjError) as refused:
         check(Path(path))
     assert refused.value.code == "cannot-open"
 
@@ -144,13 +143,13 @@ def test_fix_writes_a_repaired_archive_and_checks_that_one(tmp_path, capsys):
 
 
 def test_fix_repairs_one_at_a_time(tmp_path, good, bad):
-    with pytest.raises(CheckUsageError, match="one submission at a time"):
+    with pytest.raises(RcjError, match="one submission at a time"):
         check(good, bad, fix=tmp_path / "fixed.zip")
 
 
 def test_an_option_in_the_place_of_what_fix_is_to_write_is_none(tmp_path, monkeypatch, good):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(CheckUsageError, match="the name of the ZIP to write is missing"):
+    with pytest.raises(RcjError, match="the name of the ZIP to write is missing"):
         check(good, fix=Path("--no-play"))
     assert not (tmp_path / "--no-play").exists()
 

@@ -16,10 +16,9 @@ import jsonschema
 import pytest
 
 from rcj_challenges.checker import many
-from rcj_challenges.checker.report import schema_text
-from rcj_challenges.cli.check import CheckUsageError
-from rcj_challenges.core.errors import HostError
+from rcj_challenges.core.errors import HostError, RcjError
 from rcj_challenges.match.runner import MatchInterruptedError, PlayedMatch
+from scripts.write_schemas import check_text
 from tests.checker.small_team import PLAYER, write_team
 from tests.cli.conftest import ONE_ROBOT
 from tests.cli.in_this_process import one_after_the_other
@@ -73,14 +72,14 @@ def nothing_is_checked(monkeypatch):
 def test_replays_that_cannot_be_kept_are_refused_before_anything_is_played(team, tmp_path, monkeypatch):
     good = team("a.zip")
     (tmp_path / "taken").write_text("a file", encoding="utf-8")
-    with pytest.raises(CheckUsageError, match=r"taken: cannot be written: .* file"):
+    with pytest.raises(RcjError, match=r"taken: cannot be written: .* file"):
         check(good, replay=tmp_path / "taken", play=True)
 
     def full(*_, **__):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(tempfile, "TemporaryFile", full)
-    with pytest.raises(CheckUsageError, match="No space left on device") as printed:
+    with pytest.raises(RcjError, match="No space left on device") as printed:
         check(good, replay=tmp_path / "replays", play=True)
     assert printed.value.exit_code == 2
 
@@ -88,9 +87,9 @@ def test_replays_that_cannot_be_kept_are_refused_before_anything_is_played(team,
 @pytest.mark.usefixtures("nothing_is_checked")
 def test_a_page_that_cannot_be_written_is_refused_before_anything_is_checked(team, tmp_path):
     good = team("a.zip")
-    with pytest.raises(CheckUsageError, match="it is a folder"):
+    with pytest.raises(RcjError, match="it is a folder"):
         check(good, html=tmp_path)
-    with pytest.raises(CheckUsageError, match="cannot be written"):
+    with pytest.raises(RcjError, match="cannot be written"):
         check(good, html=good / "report.html")
 
 
@@ -158,7 +157,7 @@ def test_ctrl_c_ends_with_130_a_report_in_json_and_no_temporary_folder(team, tmp
         out, err = process.communicate(timeout=120)
     assert process.returncode == 130, err
     report = json.loads(out)  # and nothing else
-    jsonschema.validate(report, json.loads(schema_text()))
+    jsonschema.validate(report, json.loads(check_text()))
     assert [(file["file"], file["level"]) for file in report["files"]] == [("bad.zip", "error")]
     assert [other["file"] for other in report["left_out"]] == ["slow_1.zip", "slow_2.zip"]
     page = (tmp_path / "report.html").read_text("utf-8")

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.cli.run import run
-from rcj_challenges.cli.team_args import UsageError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.resources import scenarios_folder
@@ -79,7 +79,7 @@ def test_a_team_without_the_programs_that_are_asked_for_does_not_play(variant):
     ],
 )
 def test_a_seat_without_a_sample_team_is_refused_with_the_programs_that_it_needs(name, programs, tmp_path):
-    with pytest.raises(UsageError) as refused:
+    with pytest.raises(RcjError) as refused:
         run(str(VARIANTS / f"{name}.yaml"), out=tmp_path, quiet=True, replay=False)
     assert (refused.value.code, refused.value.exit_code) == ("no-sample-team", 2)
     assert "--team yellow=PATH" in refused.value.help

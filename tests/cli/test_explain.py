@@ -8,7 +8,7 @@ from typer.testing import CliRunner
 
 from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.explain import all_codes, explain
-from rcj_challenges.core.diagnostics import DiagnosticError
+from rcj_challenges.core.errors import RcjError
 
 
 def call(*arguments: str):
@@ -28,11 +28,10 @@ def test_all_codes_are_listed():
 
 
 def test_unknown_code_names_the_nearest():
-    with pytest.raises(DiagnosticError) as caught:
+    with pytest.raises(RcjError) as caught:
         explain("event-lop")
-    (diagnostic,) = caught.value.diagnostics
-    assert diagnostic.code == "unknown-code"
-    assert "'event-loop'" in diagnostic.help
+    assert caught.value.code == "unknown-code"
+    assert "'event-loop'" in caught.value.help
 
 
 def test_pages_name_only_commands_that_exist():

@@ -13,6 +13,7 @@ from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.options import parse_duration
 from rcj_challenges.cli.team_args import locate_team, path_or_sample_team
 from rcj_challenges.core.diagnostics import DiagnosticError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.resources import shipped_teams
 
 
@@ -121,10 +122,10 @@ def test_a_sample_team_is_found_by_its_name_and_an_existing_path_wins(tmp_path, 
 
 def test_a_misspelt_team_is_met_with_the_nearest_name(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(DiagnosticError) as refused:
+    with pytest.raises(RcjError) as refused:
         locate_team("bal_chaser")
-    assert str(refused.value).startswith("error[unknown-team]: ")
-    assert "did you mean ball_chaser?" in str(refused.value)
+    assert refused.value.code == "unknown-team"
+    assert "'ball_chaser'" in refused.value.help
 
 
 def test_the_list_of_teams_names_each_with_a_sentence(capsys, monkeypatch):

@@ -6,7 +6,6 @@ import pytest
 
 from rcj_challenges.checker.designs import check_designs
 from rcj_challenges.cli.commands import app
-from rcj_challenges.cli.new import StarterError
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs.debugging import PORT
 from rcj_challenges.scenario.designs import judge_designs
@@ -59,7 +58,7 @@ def test_new_robots_of_a_team_are_within_the_guidelines_of_the_reference(team, m
     assert new("robot", "my_team") == 0
     verdict = judge_designs((team / "robot.yaml").read_bytes(), documented_guideline(), 3, 0.021, {})
     assert verdict.problems == verdict.warnings == []
-    with pytest.raises(StarterError):
+    with pytest.raises(RcjError):
         new("robot", "my_team")
 
 
@@ -78,7 +77,7 @@ def test_a_new_team_with_a_design_finds_the_ball_with_the_robots_that_it_designe
 
 def test_an_existing_folder_is_left_alone(team):
     (team / "robot.py").write_text("mine", encoding="utf-8")
-    with pytest.raises(StarterError, match="exists already; nothing was written"):
+    with pytest.raises(RcjError, match="exists already; nothing was written"):
         new("team", "my_team")
     assert (team / "robot.py").read_text("utf-8") == "mine"
 

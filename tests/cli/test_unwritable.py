@@ -12,8 +12,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from rcj_challenges.cli import new, stdio
-from rcj_challenges.core.errors import HostError
+from rcj_challenges.cli import stdio
+from rcj_challenges.core.errors import HostError, RcjError
+from rcj_challenges.core.files import write_new
 from rcj_challenges.records.result import read_result
 from tests.cli.in_this_process import here
 
@@ -115,8 +116,8 @@ def test_only_a_full_disk_of_the_output_is_taken_for_one(tmp_path: Path, monkeyp
 def test_a_starter_without_room_leaves_nothing_that_is_in_the_way(tmp_path: Path, monkeypatch) -> None:
     opens = Path.open
 
-    class Full(io.StringIO):
-        def write(self, _: str) -> int:
+    class Full(io.BytesIO):
+        def write(self, _: object) -> int:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     def opened(path: Path, *arguments: str, **options: str) -> object:
@@ -124,7 +125,7 @@ def test_a_starter_without_room_leaves_nothing_that_is_in_the_way(tmp_path: Path
         return Full()
 
     monkeypatch.setattr(Path, "open", opened)
-    with pytest.raises(new.StarterError) as raised:
-        new.write_new(tmp_path / "a.yaml", "id: a")
+    with pytest.raises(RcjError) as raised:
+        write_new(tmp_path / "a.yaml", b"id: a")
     assert raised.value.code == "cannot-write"
     assert list(tmp_path.iterdir()) == []

@@ -224,7 +224,7 @@ def play(
     logs = record / "logs"
     lines = (record / "reflog.jsonl").read_text("utf-8").splitlines()
     return Played(
-        poses=np.array([snapshot.substeps for snapshot in Trajectory.open(record).snapshots(1)]),
+        poses=np.array([snapshot.substeps for snapshot in Trajectory.open(record).halves[0].snapshots()]),
         result=outcome.result,
         events=[{k: v for k, v in json.loads(line).items() if k != "datetime"} for line in lines],
         logs={path.stem: path.read_text("utf-8", "replace") for path in sorted(logs.iterdir())},

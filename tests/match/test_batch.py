@@ -5,7 +5,8 @@ import os
 
 import pytest
 
-from rcj_challenges.cli.simulate import SeedsError, parse_seeds, summary
+from rcj_challenges.cli.simulate import parse_seeds, summary
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
 
@@ -37,7 +38,7 @@ def test_seeds_can_be_written_as_ranges_and_lists(text, seeds):
     ],
 )
 def test_seeds_that_make_no_sense_are_refused_with_what_is_allowed(text):
-    with pytest.raises(SeedsError, match="--seeds") as caught:
+    with pytest.raises(RcjError, match="--seeds") as caught:
         parse_seeds(text)
     assert caught.value.help
     assert len(str(caught.value)) < 500

@@ -127,8 +127,8 @@ def test_each_member_of_a_super_team_drives_its_own_design(tmp_path):
 def test_record_is_judged_and_played_again_with_the_designs_of_both_halves(played):
     *_, teams, outcome = played
     trajectory, scenario = Trajectory.open(outcome.folder), read_scenario(outcome.folder)
-    before = recorded(trajectory, read_referee_log(outcome.folder), read_result(outcome.folder).score)
-    assert differences(before.events, rejudge(trajectory, scenario).events) == []
+    _, events = recorded(trajectory, read_referee_log(outcome.folder), read_result(outcome.folder).score)
+    assert differences(events, rejudge(trajectory, scenario).events) == []
     given = [word for team in teams.values() for word in ("--team", str(team.source))]
     done = CliRunner().invoke(app, ["verify", str(outcome.folder), *given])
     assert done.exit_code == 0

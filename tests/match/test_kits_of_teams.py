@@ -68,8 +68,8 @@ def test_programs_find_the_devices_of_their_robots_in_both_halves(run) -> None:
 def test_record_is_judged_the_same_again(run) -> None:
     found = read_run(run.folder)
     trajectory = run.trajectory
-    before = recorded(trajectory, found.log, {"blue": 0, "yellow": 0})
-    assert differences(before.events, rejudge(trajectory, found.scenario).events) == []
+    _, events = recorded(trajectory, found.log, {"blue": 0, "yellow": 0})
+    assert differences(events, rejudge(trajectory, found.scenario).events) == []
 
 
 def test_pages_and_videos_show_the_bodies_of_each_half(run) -> None:

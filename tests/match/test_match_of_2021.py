@@ -71,7 +71,10 @@ receiver.getData()
 def test_programs_of_2021_play_a_match(play, team_folder):
     run = play("match.half_s=2", scenario="match_2021", blue=team_folder(PROGRAM), yellow=team_folder(PROGRAM))
     assert run.result["faults"] == []
-    start, end = (run.trajectory.halves[0].start.substeps[0], list(run.trajectory.snapshots(1))[-1].substeps[-1])
+    start, end = (
+        run.trajectory.halves[0].start.substeps[0],
+        list(run.trajectory.halves[0].snapshots())[-1].substeps[-1],
+    )
     assert end[0][1] < start[0][1] - 0.15  # B1 looks at the yellow goal, and negative velocities drive forward
     along_the_field, size = run.log("B1").split()[-2:]
     assert abs(float(along_the_field) - end[0][1]) < 0.03  # the packet's X is our y

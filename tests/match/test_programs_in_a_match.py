@@ -14,7 +14,7 @@ EXITS = DRIVE.format(speed=10).split("while")[0] + "for _ in range(100):\n    ro
 
 
 def poses(run):
-    return np.array([snapshot.substeps for snapshot in run.trajectory.snapshots(1)])
+    return np.array([snapshot.substeps for snapshot in run.trajectory.halves[0].snapshots()])
 
 
 def test_a_team_whose_programs_all_fail_plays_to_the_end(play, team_folder):

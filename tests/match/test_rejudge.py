@@ -7,8 +7,9 @@ from unittest.mock import ANY
 import pytest
 
 from rcj_challenges.core.changes import ScoreChange
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.play import Event
-from rcj_challenges.match.rejudge import MisfitError, differences, recorded, rejudge
+from rcj_challenges.match.rejudge import differences, recorded, rejudge
 from rcj_challenges.records.referee_log import LoggedTick, RefereeLog
 from rcj_challenges.records.reflog import event_line
 from rcj_challenges.scenario.errors import ScenarioError
@@ -97,9 +98,9 @@ def test_what_came_after_a_shorter_half_is_no_event_any_more(by):
 
 
 def test_a_scenario_with_others_on_the_field_cannot_judge_it(gift):
-    with pytest.raises(MisfitError, match=r"the match had B1, .*, the scenario has Y3, ball, walls"):
+    with pytest.raises(RcjError, match=r"the match had B1, .*, the scenario has Y3, ball, walls"):
         rejudge(gift.trajectory, load("fast_shooter").scenario)
-    with pytest.raises(MisfitError, match=r"the scenario has B1, B2, B3, Y1, Y2, Y3, ball, coin, walls"):
+    with pytest.raises(RcjError, match=r"the scenario has B1, B2, B3, Y1, Y2, Y3, ball, coin, walls"):
         rejudge(gift.trajectory, load("match", ["balls.coin={start_m: [0.4, 0]}"]).scenario)
 
 
@@ -163,9 +164,9 @@ def test_of_a_match_that_is_not_over_points_are_those_of_the_log_up_to_the_last_
         )
     )
     cut_off = SimpleNamespace(finished=False, halves=halves)
-    found = recorded(cut_off, log, {"blue": 0, "yellow": 0})
-    assert found.scores == {"blue": 1, "yellow": 0.3}
-    assert found.events == [event_line(2, goal)]
-    over = recorded(SimpleNamespace(finished=True, halves=halves), log, {"blue": 7, "yellow": 0})
-    assert over.scores == {"blue": 7, "yellow": 0}
-    assert len(over.events) == 2
+    scores, events = recorded(cut_off, log, {"blue": 0, "yellow": 0})
+    assert scores == {"blue": 1, "yellow": 0.3}
+    assert events == [event_line(2, goal)]
+    scores, events = recorded(SimpleNamespace(finished=True, halves=halves), log, {"blue": 7, "yellow": 0})
+    assert scores == {"blue": 7, "yellow": 0}
+    assert len(events) == 2

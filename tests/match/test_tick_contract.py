@@ -18,7 +18,7 @@ LOOP = "while robot.step(32) != -1:\n    pass\n"
 def path_y(run, robot):
     """Return [tick][sub-step] -> y in the first half; row 0 is tick 1."""
     entity = run.trajectory.entities.index(robot)
-    return np.array([[poses[entity][1] for poses in s.substeps] for s in run.trajectory.snapshots(1)])
+    return np.array([[poses[entity][1] for poses in s.substeps] for s in run.trajectory.halves[0].snapshots()])
 
 
 def first_move(run, robot):

@@ -14,6 +14,7 @@ import pytest
 from attempts import only, outcomes
 from fake_match import FakeMatch
 
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs import isolation, process_stats, processes, visible_files
 from rcj_challenges.programs.program_side.controller import _landlock, _seccomp
 from rcj_challenges.scenario.models.limits import Limits
@@ -145,7 +146,7 @@ def test_what_cannot_be_had_is_named_and_auto_goes_without(monkeypatch: pytest.M
     monkeypatch.setattr(_landlock, "is_available", lambda: False)
     monkeypatch.setattr(_seccomp, "is_available", lambda: False)
     assert not {"filesystem", "system_calls"} & set(isolation.active_layers("auto"))
-    with pytest.raises(isolation.IsolationError) as reported:
+    with pytest.raises(RcjError) as reported:
         isolation.active_layers("strict")
     assert "filesystem (no sight of files" in str(reported.value)
     assert "no Landlock (Linux 5.13" in str(reported.value)
@@ -162,7 +163,7 @@ def test_files_are_not_hidden_where_python_itself_lives_among_them(
     monkeypatch.setattr(visible_files, "standard_library", lambda: [str(tmp_path / "home")])
     monkeypatch.setenv("HOME", str(tmp_path / "home" / "me"))
     assert "filesystem" not in isolation.active_layers("auto")
-    with pytest.raises(isolation.IsolationError, match="Python's own folder holds a home folder"):
+    with pytest.raises(RcjError, match="Python's own folder holds a home folder"):
         isolation.active_layers("strict")
 
 
@@ -180,7 +181,7 @@ def test_other_platforms_report_missing_isolation(platform: str) -> None:
     always = {"clean_environment", "private_folder", "ends_with_parent"}
     assert set(isolation.active_layers("off", platform)) == always
     assert set(isolation.active_layers("auto", platform)) == always | {"resource_limits"}
-    with pytest.raises(isolation.IsolationError) as raised:
+    with pytest.raises(RcjError) as raised:
         isolation.active_layers("strict", platform)
     assert raised.value.code == "isolation-missing"
 

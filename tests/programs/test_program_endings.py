@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from fake_match import PROGRAMS, SPEC, FakeMatch, Played, play_on, values_at
 
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs import isolation
 from rcj_challenges.programs.pool import PoolPlan, ProgramPool
 from rcj_challenges.core.traffic import Observation
@@ -168,7 +169,7 @@ while robot.step(32) != -1:
 
 
 def test_an_unknown_sandbox_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(isolation.IsolationError) as raised:
+    with pytest.raises(RcjError) as raised:
         ProgramPool(PoolPlan(Limits(), 1, 1, tmp_path, sandbox="on"))
     assert raised.value.code == "unknown-sandbox"
 

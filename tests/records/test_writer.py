@@ -20,10 +20,11 @@ from rcj_challenges.core.changes import ScoreChange
 from rcj_challenges.core.play import RefereeOutput
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY, make_run_folder
-from rcj_challenges.records.result import read_result, result_schema_text
+from rcj_challenges.records.result import read_result
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
+from scripts.write_schemas import result_text
 from tests.made_up_runs import (
     half_info,
     made_up_snapshot,
@@ -243,14 +244,14 @@ def test_no_path_user_or_host_stands_in_any_record(run: Path) -> None:
 
 
 def test_the_result_fits_its_published_schema(run: Path) -> None:
-    schema = json.loads(result_schema_text())
+    schema = json.loads(result_text())
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.validate(json.loads((run / "result.json").read_text("utf-8")), schema)
 
 
 def test_the_committed_schema_is_fresh() -> None:
     committed = Path(__file__).parents[2] / "schemas" / "result.schema.json"
-    assert committed.read_text("utf-8") == result_schema_text()
+    assert committed.read_text("utf-8") == result_text()
 
 
 @pytest.mark.parametrize(

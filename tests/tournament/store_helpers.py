@@ -121,9 +121,6 @@ class Silent:
     def played_again(self, fixture):
         self.seen.append(("again", fixture.id))
 
-    def moment(self, progress):
-        pass
-
 
 def goals_of(job, salt=""):
     """Return the score by seat that a job gives: it depends on programs and seed, as that of a match does."""

@@ -119,23 +119,32 @@ def test_records_can_stay_on_a_shared_folder(tmp_path, cluster):
     assert list((home.data / "records" / ".playing").iterdir()) == []
 
 
+def before_each_poll(executor, act):
+    """Let something happen each time a run looks for what is done."""
+    poll = executor.poll
+
+    def acted():
+        act()
+        return poll()
+
+    executor.poll = acted
+    return executor
+
+
 @pytest.mark.nightly
 def test_a_job_whose_worker_is_killed_is_handed_out_again(tmp_path):
-    class Killer(Silent):
-        """Kills the first worker that plays."""
+    killed = []
 
-        killed = 0
+    def kill_the_first():
+        for pid in busy_workers(cluster):
+            if not killed:
+                killed.append(pid)
+                os.kill(pid, signal.SIGKILL)
 
-        def moment(self, progress):
-            for pid in busy_workers(cluster):
-                if not self.killed:
-                    self.killed = pid
-                    os.kill(pid, signal.SIGKILL)
-
-    home, notes, killer = new_home(tmp_path / "there", half_s=20), [], Killer()
+    home, notes = new_home(tmp_path / "there", half_s=20), []
     with new_cluster() as cluster:
-        state, _ = home.play(executor=on_cluster(home, cluster, notes), observer=killer)
-    assert killer.killed
+        state, _ = home.play(executor=before_each_poll(on_cluster(home, cluster, notes), kill_the_first))
+    assert killed
     assert any("handed out again" in note for note in notes)
     assert len(state.outcomes) == 2
     assert what_came_out(home) == played_here(new_home(tmp_path / "here", half_s=20))
@@ -143,29 +152,25 @@ def test_a_job_whose_worker_is_killed_is_handed_out_again(tmp_path):
 
 @pytest.mark.nightly
 def test_a_job_that_ends_two_workers_could_not_be_played(tmp_path):
-    class Killer(Silent):
-        """Kills each worker that plays."""
+    def kill_all():
+        for pid in busy_workers(cluster):
+            os.kill(pid, signal.SIGKILL)
 
-        def moment(self, progress):
-            for pid in busy_workers(cluster):
-                os.kill(pid, signal.SIGKILL)
-
-    home, killer = new_home(tmp_path / "there", half_s=600), Killer()
+    home, observer = new_home(tmp_path / "there", half_s=600), Silent()
     with new_cluster() as cluster:
-        home.play(executor=on_cluster(home, cluster), observer=killer)
-    assert [kind for kind, _ in killer.seen] == ["not_played"] * 2
+        home.play(executor=before_each_poll(on_cluster(home, cluster), kill_all), observer=observer)
+    assert [kind for kind, _ in observer.seen] == ["not_played"] * 2
 
 
 @pytest.mark.nightly
 def test_an_interrupted_run_ends_the_matches_on_the_workers(tmp_path, cluster):
-    class Interrupter(Silent):
-        def moment(self, progress):
-            if busy_workers(cluster):
-                raise KeyboardInterrupt
+    def interrupt():
+        if busy_workers(cluster):
+            raise KeyboardInterrupt
 
     home = new_home(tmp_path / "there", half_s=600)
     with pytest.raises(KeyboardInterrupt):
-        home.play(executor=on_cluster(home, cluster), observer=Interrupter())
+        home.play(executor=before_each_poll(on_cluster(home, cluster), interrupt))
     until_s = time.monotonic() + 30
     while busy_workers(cluster):
         assert time.monotonic() < until_s

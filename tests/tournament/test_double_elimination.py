@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.tournament.errors import TournamentFileError
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.season import Outcome
 from rcj_challenges.tournament.site.bracket import bracket_svg
@@ -92,6 +92,6 @@ def test_both_brackets_are_drawn_one_below_the_other():
 def test_two_teams_are_too_few(tmp_path):
     text = "tournament_version: 1\ntitle: T\nseed: 1\nteams: {a: {sample: ball_chaser}, b: {sample: ball_chaser}}\n"
     (tmp_path / "t.yaml").write_text(f"{text}stages:\n{CUP.format('')}", encoding="utf-8")
-    with pytest.raises(TournamentFileError) as error:
+    with pytest.raises(ScenarioError) as error:
         load_tournament(tmp_path / "t.yaml")
     assert [one.code for one in error.value.diagnostics] == ["too-few-teams"]

@@ -7,8 +7,8 @@ import zipfile
 
 import pytest
 
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.tournament.admission import keep_submission
-from rcj_challenges.tournament.errors import TournamentFileError
 from rcj_challenges.tournament.load import load_tournament
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="pipes and links as on POSIX")
@@ -35,7 +35,7 @@ def cup(tmp_path):
         file.write_text(CUP.format(folder=folder), "utf-8")
         try:
             load_tournament(file)
-        except TournamentFileError as error:
+        except ScenarioError as error:
             return [one.code for one in error.diagnostics]
         return []
 

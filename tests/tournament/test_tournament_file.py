@@ -4,12 +4,12 @@ from functools import cache
 
 import pytest
 
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.tournament import load as loading
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.entries import id_of
-from rcj_challenges.tournament.errors import TournamentFileError
 from rcj_challenges.tournament.load import load_tournament, load_tree
 
 HEAD = "tournament_version: 1\ntitle: T\nseed: 1\n"
@@ -36,7 +36,7 @@ def loaded(text, folder):
 
 def refused(text, folder):
     """Return code and path of all that is wrong with a file."""
-    with pytest.raises(TournamentFileError) as caught:
+    with pytest.raises(ScenarioError) as caught:
         loaded(text, folder)
     return [(one.code, one.where.path) for one in caught.value.diagnostics]
 
@@ -83,14 +83,14 @@ def test_a_time_that_comes_twice_is_a_warning_that_names_both(tmp_path):
     assert (warning.code, warning.level, warning.where.path) == ("ambiguous-time", "warning", "stages.l.release")
     assert "02:45 CEST (00:45 UTC) and 02:45 CET (01:45 UTC)" in warning.message
     wrong = text.replace("release: ", "groups: 9, release: ")
-    with pytest.raises(TournamentFileError) as caught:
+    with pytest.raises(ScenarioError) as caught:
         loaded(wrong, tmp_path)
     assert [one.code for one in caught.value.diagnostics] == ["too-few-teams", "ambiguous-time"], "with an error too"
 
 
 def test_the_error_of_a_time_shows_its_form_and_time_zone(tmp_path):
     text = HEAD + TEAMS + "time_zone: Europe/Berlin\nstages: {l: {stage: round_robin, release: tomorrow}}\n"
-    with pytest.raises(TournamentFileError) as caught:
+    with pytest.raises(ScenarioError) as caught:
         loaded(text, tmp_path)
     assert "2021-06-22 18:00" in caught.value.diagnostics[0].help
     assert "Europe/Berlin" in caught.value.diagnostics[0].help
@@ -105,7 +105,7 @@ def test_what_comes_with_archives_of_a_mac_is_no_team(tmp_path):
 
 
 def test_mistakes_have_line_column_and_a_hint():
-    with pytest.raises(TournamentFileError) as caught:
+    with pytest.raises(ScenarioError) as caught:
         load_tree(parse_text(HEAD + TEAMS + "stages:\n  league: {stage: round_robbin}\n", "t.yaml"), None)
     (problem,) = caught.value.diagnostics
     assert (problem.where.file, problem.where.line, problem.where.column) == ("t.yaml", 6, 19)
@@ -234,7 +234,7 @@ def test_a_submission_that_a_team_names_is_not_also_a_team_of_its_own(tmp_path):
 def test_paths_that_no_system_can_open_are_refused_without_a_traceback(key, path, tmp_path):
     text = HEAD + (TEAMS if "teams:" not in key else "") + key.format(path) + LEAGUE
     (tmp_path / "t.yaml").write_text(text, encoding="utf-8")
-    with pytest.raises(TournamentFileError):
+    with pytest.raises(ScenarioError):
         load_tournament(tmp_path / "t.yaml")
 
 
@@ -285,7 +285,7 @@ def test_submissions_for_a_challenge_lie_in_a_folder_of_their_own(tmp_path):
 
 
 def test_a_file_that_does_not_exist_is_refused_with_the_shipped_ones():
-    with pytest.raises(TournamentFileError) as caught:
+    with pytest.raises(ScenarioError) as caught:
         load_tournament("cupp")
     (problem,) = caught.value.diagnostics
     assert problem.code == "no-such-file"
@@ -298,6 +298,6 @@ def test_a_file_that_does_not_exist_is_refused_with_the_shipped_ones():
 )
 def test_a_file_that_is_no_mapping_in_yaml_is_refused(text, code, tmp_path):
     (tmp_path / "t.yaml").write_text(text, encoding="utf-8")
-    with pytest.raises(TournamentFileError) as caught:
+    with pytest.raises(ScenarioError) as caught:
         load_tournament(tmp_path / "t.yaml")
     assert [one.code for one in caught.value.diagnostics] == [code]

@@ -44,22 +44,6 @@ def test_the_table_has_a_line_for_each_team_and_robot_and_fits_80_columns(out: P
     assert "…" not in text.split("ball")[0]  # no column is cut off
 
 
-@pytest.mark.parametrize("columns", [60, 40])
-def test_on_a_narrow_terminal_the_table_is_split_into_parts_each_with_the_names(out: Path, columns: int) -> None:
-    _, wide = stats(out=out)
-    code, text = stats(out=out, columns=columns)
-    assert code == 0
-    assert "…" not in text  # no figure is cut off
-    table = text.partition("--explain")[0]
-    lines = [line.rstrip() for line in table.splitlines() if "program fault" not in line]  # which the terminal wraps
-    assert max(map(len, lines)) <= columns
-    heads = [line for line in table.splitlines() if line.lstrip().startswith("robot")]
-    lines = [line.split()[1:] for line in table.splitlines() if line.split()[:1] == ["B1"]]
-    assert len(lines) == len(heads) > 1
-    (whole,) = [line.split()[1:] for line in wide.splitlines() if line.split()[:1] == ["B1"]]
-    assert [figure for part in lines for figure in part] == whole
-
-
 def test_every_definition_is_printed_on_request(out: Path) -> None:
     _, short = stats(out=out)
     _, long = stats("--explain", out=out)

@@ -8,7 +8,8 @@ import pytest
 
 from rcj_challenges.cli import submit
 from rcj_challenges.cli.codes import SITE_UNREACHABLE
-from rcj_challenges.cli.submit import SubmitError, _Site
+from rcj_challenges.cli.submit import _Site
+from rcj_challenges.core.errors import RcjError
 
 
 @pytest.mark.parametrize(
@@ -23,7 +24,7 @@ from rcj_challenges.cli.submit import SubmitError, _Site
     ],
 )
 def test_mistyped_address_or_code_is_named(address: str, code: str, error: str) -> None:
-    with pytest.raises(SubmitError) as caught:
+    with pytest.raises(RcjError) as caught:
         _Site(address, code)
     assert caught.value.code == error
 
@@ -36,7 +37,7 @@ def test_site_that_is_away_for_a_minute_after_the_receipt_is_waited_for(
 
     def request(*_: Any) -> dict[str, Any]:
         if clock_s[0] < away_s:
-            raise SubmitError("away", "wait", code=SITE_UNREACHABLE)
+            raise RcjError("away", "wait", code=SITE_UNREACHABLE)
         return {"state": "accepted"}
 
     monkeypatch.setattr(_Site, "_request", request)
@@ -46,7 +47,7 @@ def test_site_that_is_away_for_a_minute_after_the_receipt_is_waited_for(
     if away_s < submit._AWAY_S:
         assert site.wait(1, quiet=True) == {"state": "accepted"}
     else:
-        with pytest.raises(SubmitError) as caught:
+        with pytest.raises(RcjError) as caught:
             site.wait(1, quiet=True)
         assert caught.value.code == "site-unreachable"
 

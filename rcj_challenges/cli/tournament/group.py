@@ -25,7 +25,6 @@ Data = Annotated[
     Path | None,
     typer.Option("--data", metavar="DIR", help="Folder of its data; default: NAME_data in the current folder."),
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print it as JSON and nothing else.")]
 Cascade = Annotated[
     bool, typer.Option("--cascade", help="Play again what depends on a change, also in stages that have begun.")
 ]

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, replace
-from typing import TYPE_CHECKING, Annotated
-
-import typer
+from typing import TYPE_CHECKING
 
 from rcj_challenges.cli.app import ORGANIZE
+from rcj_challenges.cli.options import Json, Overrides
 from rcj_challenges.cli.stdio import print_json, print_lines
-from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
+from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import score_words, stage_tables
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
@@ -25,9 +24,7 @@ if TYPE_CHECKING:
 @tournament_app.register(ORGANIZE, "rcj-challenge tournament judge cup --set ball_progress_s=15")
 def judge(
     file: File,
-    set_: Annotated[
-        list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a value of the rules. Repeatable.")
-    ] = None,
+    set_: Overrides = None,
     data: Data = None,
     json_: Json = False,
 ) -> None:

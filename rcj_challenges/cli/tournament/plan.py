@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rcj_challenges.cli.app import PLAY
+from rcj_challenges.cli.options import Json
 from rcj_challenges.cli.stdio import print_json, print_safely
-from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
+from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import team_words
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.errors import RcjError

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from rcj_challenges.cli.app import WATCH
+from rcj_challenges.cli.options import Json
 from rcj_challenges.cli.stdio import print_json, print_safely
-from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
+from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import score_words, stage_tables, team_words
 
 if TYPE_CHECKING:

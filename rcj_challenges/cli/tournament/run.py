@@ -65,7 +65,7 @@ def run(
     Exit status 0: everything is played; 1: a submission fails the check; 2: wrong input, or this computer cannot
     continue; 3: a match could not be played because of a bug in this project.
     """
-    from rcj_challenges.cli.tournament.run_lines import observer_for
+    from rcj_challenges.cli.tournament.run_lines import RunLines
     from rcj_challenges.tournament import redrawing
     from rcj_challenges.tournament.reconcile import other_pythons, reconcile
     from rcj_challenges.tournament.runner import Runner
@@ -75,7 +75,7 @@ def run(
         require_layers(sandbox)
         lanes = at_once or os.cpu_count() or 1
         console = console_for()
-        observer = observer_for(console, tournament, quiet=quiet)
+        observer = RunLines(console, tournament, quiet=quiet)
         for line in (redrawing.redraw(tournament) if redraw else []) + redrawing.add_teams(tournament, add or ()):
             observer.note(line)
         # A cluster that cannot be used is found before submissions are checked, which takes minutes.
@@ -85,12 +85,11 @@ def run(
                 observer.note(f"{fixture} is played again: {reason}")
             for python in other_pythons(tournament.store):
                 observer.note(f"matches were played with {python}, which matters only to programs that depend on it")
-            with observer:
-                try:
-                    state = Runner(tournament, jobs, executor, observer).run()
-                except KeyboardInterrupt as error:
-                    left = "run the same command again: it continues where it stopped"
-                    raise KeyboardInterrupt(f"{counted(observer.done, 'match', 'matches')} played; {left}") from error
+            try:
+                state = Runner(tournament, jobs, executor, observer).run()
+            except KeyboardInterrupt as error:
+                left = "run the same command again: it continues where it stopped"
+                raise KeyboardInterrupt(f"{counted(observer.done, 'match', 'matches')} played; {left}") from error
     for table in stage_tables(state):
         console.print(table)
     if observer.failed:

@@ -6,8 +6,9 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.app import PLAY
+from rcj_challenges.cli.options import Json
 from rcj_challenges.cli.stdio import print_json, print_safely
-from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
+from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import duration_words, score_words
 from rcj_challenges.core.sanitize import sanitize
 

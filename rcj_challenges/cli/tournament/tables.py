@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from rcj_challenges.core.amounts import number_words
@@ -39,14 +39,13 @@ def score_words(fixture: Fixture, outcome: Outcome, teams: Mapping[str, Team]) -
     return f"{score} ({outcome.ruled.words})" if outcome.ruled.words else score
 
 
-def stage_tables(state: SeasonState, only: Collection[str] | None = None) -> list[RichTable]:
-    """Tables and brackets of all stages that have some, or of those named in ``only``."""
+def stage_tables(state: SeasonState) -> list[RichTable]:
+    """Tables and brackets of all stages that have some."""
     found: list[RichTable] = []
     for stage in state.stages:
-        if only is None or stage.name in only:
-            found += [_table(stage, table, state.teams) for table in stage.tables if table.rows]
-            if stage.ties and any(any(tie.teams) for tie in stage.ties):
-                found.append(_bracket(stage, state.teams))
+        found += [_table(stage, table, state.teams) for table in stage.tables if table.rows]
+        if stage.ties and any(any(tie.teams) for tie in stage.ties):
+            found.append(_bracket(stage, state.teams))
     return found
 
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli.app import ORGANIZE
-from rcj_challenges.cli.options import AtOnce
-from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
+from rcj_challenges.cli.options import AtOnce, Json
+from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.cli.verify import VerifyLines
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.codes import NOT_PLAYED

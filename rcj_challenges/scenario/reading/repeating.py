@@ -235,7 +235,7 @@ class _Copier:
                     message = f"'{key}' is a param of the scenario already{_line(where[key], mark)}"
                     self._add((*at, key), mark, message, "choose another name for the column")
             for key in surplus:
-                hint = f"{did_you_mean(key, missing)} {help_}".strip()
+                hint = did_you_mean(key, missing, help_)
                 self._add((*at, key), inner.key_marks[key], f"'{first}' has no '{key}'", hint)
             if missing and not surplus:
                 message = f"'{missing[0]}' is missing, which '{first}' has"

@@ -11,10 +11,9 @@ from typing import Any, ClassVar
 
 from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.fields import described
-from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.tree import Step
 from rcj_challenges.tournament.codes import LISTED_TEAMS, UNKNOWN_TEAM
-from rcj_challenges.tournament.errors import did_you_mean
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.models import ChallengeScenario, FromModel, MatchesModel
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse

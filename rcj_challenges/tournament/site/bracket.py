@@ -10,6 +10,7 @@ from itertools import pairwise
 from markupsafe import Markup
 
 from rcj_challenges.core.amounts import number_words
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.tournament.season import Tie
 from rcj_challenges.tournament.site.render import fitted
 
@@ -41,10 +42,7 @@ def bracket_svg(
     ties: tuple[Tie, ...], name: Callable[[str], str], title: str, links: Mapping[str, str], *, alone: bool = False
 ) -> Markup:
     """Return the bracket; a picture that stands ``alone`` is a file of its own, with its style in it."""
-    trees: dict[str, list[Tie]] = {}
-    for tie in ties:
-        if tie.round != _THIRD_PLACE:
-            trees.setdefault(tie.tree, []).append(tie)
+    trees = grouped((tie.tree, tie) for tie in ties if tie.round != _THIRD_PLACE)
     placed: list[_Placed] = []
     parts: list[str] = []
     bottom = 0.0
@@ -76,9 +74,7 @@ def bracket_svg(
 
 def _placed(ties: list[Tie], top: float) -> list[_Placed]:
     """Place the ties of each round evenly: each in the middle of those that lead to it."""
-    rounds: dict[str, list[Tie]] = {}
-    for tie in ties:
-        rounds.setdefault(tie.round, []).append(tie)
+    rounds = grouped((tie.round, tie) for tie in ties)
     height = max(map(len, rounds.values())) * (_BOX_HEIGHT + _GAP_Y)
     return [
         _Placed(

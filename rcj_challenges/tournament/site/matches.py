@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,9 +13,7 @@ from markupsafe import Markup
 
 from rcj_challenges.core.amounts import number_words
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, TRAJECTORY
-from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.tournament.jobs import STATS
 from rcj_challenges.tournament.site.model import MatchView, Season
 from rcj_challenges.tournament.site.plots import score_plot
@@ -30,8 +29,8 @@ from rcj_challenges.tournament.site.public import (
 from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree, fingerprint
 from rcj_challenges.views.replay.page import page_text
-from rcj_challenges.views.sentences import clock, event_title
-from rcj_challenges.views.stats import DEFINITIONS, run_stats, stats_as_json
+from rcj_challenges.views.sentences import clock
+from rcj_challenges.views.stats import DEFINITIONS
 
 _MAX_EVENTS = 400
 _FIGURES = tuple(key for key in DEFINITIONS if key not in ("faults", "calls"))
@@ -48,7 +47,7 @@ class Moment:
         standing: the score after it, if it changed.
         side: that gained or lost points.
         kind: ``goal``, ``loss``, ``fault``, ``call``.
-        link: to this moment of the replay, or empty.
+        link: to this moment of the replay.
     """
 
     half: int
@@ -106,7 +105,7 @@ def _write(tree: Tree, renderer: Renderer, season: Season, match: MatchView, fol
         f"{folder}/index.html",
         "match.html",
         match=match,
-        moments=moments(replay, result),
+        moments=_moments(replay) if replay is not None else [],
         plot=_plot(season, match, replay),
         stats=_stats_rows(stats, match, list(result.get("entrants", ()))),
         definitions=DEFINITIONS,
@@ -122,66 +121,33 @@ def _json(value: Any) -> str:
 
 
 def _stats(record: Path | None) -> dict[str, Any] | None:
-    """Return the public statistics of a record: those that lie in it, or counted from its trajectory; None without."""
-    if record is None:
-        return None
-    try:
-        return public_stats(json.loads((record / STATS).read_text("utf-8")))
-    except (OSError, ValueError):
-        pass
-    if not (record / TRAJECTORY).is_file():
-        return None
-    try:
-        return public_stats(stats_as_json(run_stats(record)))
-    except RecordError:
-        return None
+    """Return the public statistics of a record; None if there are none."""
+    with suppress(OSError, ValueError):
+        return None if record is None else public_stats(json.loads((record / STATS).read_text("utf-8")))
+    return None
 
 
 # --- the page --------------------------------------------------------------------------------------------------------
 
 
-def moments(replay: ReplayData | None, result: Mapping[str, Any]) -> list[Moment]:
-    """Return the events of a match as sentences, with links into the replay if there is one."""
-    if replay is not None:
-        titles = {team["name"]: team["title"] for team in replay.facts["teams"]}
-        found = [
-            Moment(
-                half=event["half"],
-                clock=clock(s_from_ticks(event["tick"])),
-                name=event.get("title", event["name"]),
-                about=" · ".join(filter(None, (event["about"], event["payload_text"]))),
-                standing=event["standing"],
-                side=titles.get(event["team"], ""),
-                kind=event["kind"],
-                link=f"replay.html#h{event['half']}t{event['tick']}",
-            )
-            for event in replay.facts["events"]
-            if event["name"] not in _ROUTINE
-        ]
-    else:
-        found = [
-            Moment(
-                half=event["half"],
-                clock=clock(event["matchtime"]),
-                name=event_title(event["event"], event["half"], 1),
-                about=_about(event),
-                standing="",
-                side=str(event["payload"].get("team_name", "")),
-                kind="fault" if event["event"] == PROGRAM_FAULT else "goal" if event["event"] == "GOAL" else "call",
-                link="",
-            )
-            for event in result.get("events", ())
-            if event["event"] not in _ROUTINE
-        ]
+def _moments(replay: ReplayData) -> list[Moment]:
+    """Return the events of a match as sentences, with links into the replay."""
+    titles = {team["name"]: team["title"] for team in replay.facts["teams"]}
+    found = [
+        Moment(
+            half=event["half"],
+            clock=clock(s_from_ticks(event["tick"])),
+            name=event.get("title", event["name"]),
+            about=" · ".join(filter(None, (event["about"], event["payload_text"]))),
+            standing=event["standing"],
+            side=titles.get(event["team"], ""),
+            kind=event["kind"],
+            link=f"replay.html#h{event['half']}t{event['tick']}",
+        )
+        for event in replay.facts["events"]
+        if event["name"] not in _ROUTINE
+    ]
     return found[:_MAX_EVENTS]
-
-
-def _about(event: Mapping[str, Any]) -> str:
-    payload = event["payload"]
-    if event["event"] == PROGRAM_FAULT:
-        return f"The program of {payload.get('robot_name', '')} {fault_words(str(payload.get('kind', '')))}."
-    named = payload.get("robot_name") or payload.get("team_name")
-    return str(named) if named else ""
 
 
 def _plot(season: Season, match: MatchView, replay: ReplayData | None) -> Markup | None:

@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from rcj_challenges.core.amounts import measure_words
 from rcj_challenges.core.files import slug
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.tournament.season import StageState, Status
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg
@@ -111,11 +112,9 @@ def _bracket(season: Season, stage: StageState, root: str | None) -> Markup:
 
 def _rounds(stage: StageState, matches: Sequence[MatchView]) -> list[tuple[str, list[MatchView]]]:
     rounds = {tie.id: tie.round_title for tie in stage.ties}
-    grouped: dict[tuple[int, str], list[MatchView]] = {}
-    for match in matches:
-        name = rounds.get(match.fixture.tie) or f"Round {match.fixture.round}"
-        grouped.setdefault((match.fixture.round, name), []).append(match)
-    return [(name, some) for (_, name), some in sorted(grouped.items(), key=lambda item: item[0][0])]
+    numbered = ((match.fixture.round, rounds.get(match.fixture.tie), match) for match in matches)
+    by_round = grouped(((number, name or f"Round {number}"), match) for number, name, match in numbered)
+    return [(name, some) for (_, name), some in sorted(by_round.items(), key=lambda item: item[0][0])]
 
 
 def _challenges(
@@ -134,28 +133,25 @@ def _challenges(
 
 def _distributions(season: Season, stage: StageState) -> list[tuple[str, Markup]]:
     """Return a picture for each challenge that several runs were played of: all values of its first criterion."""
-    columns = {table.name: table.columns for table in stage.tables}
-    rows = {table.name: [row.team for row in table.rows] for table in stage.tables}
+    played = [match for match in season.of_stage(stage) if match.outcome is not None]
     found = []
-    for name in dict.fromkeys(fixture.group for fixture in stage.fixtures):
-        values: dict[str, list[float]] = {team: [] for team in rows.get(name, stage.teams)}
-        for match in season.of_stage(stage):
-            if match.fixture.group == name and match.outcome is not None:
-                value = (match.outcome.values or match.outcome.scores or (0.0,))[0]
-                values.setdefault(match.teams[0], []).extend([] if value is None else [value])
-        if any(values.values()):
-            first = next(iter(columns.get(name, ())), "value")
-            shown = {season.name(team): several for team, several in values.items() if several}
-            found.append((name, distribution_plot(shown, measure_words(first))))
+    for table in stage.tables:
+        runs = [(one.teams[0], _first_value(one)) for one in played if one.fixture.group == table.name]
+        values = grouped((team, value) for team, value in runs if value is not None)
+        if values:
+            shown = {season.name(row.team): values[row.team] for row in table.rows if row.team in values}
+            found.append((table.name, distribution_plot(shown, measure_words(table.columns[0]))))
     return found
+
+
+def _first_value(match: MatchView) -> float | None:
+    return next(iter((match.outcome.values or match.outcome.scores) if match.outcome else ()), 0.0)
 
 
 def _matrices(season: Season, stage: StageState) -> list[tuple[str, list[str], Cells]]:
     """Return the matches between each two teams, group by group; nothing for other stages than these two."""
-    groups: dict[str, list[MatchView]] = {}
-    for match in season.of_stage(stage) if stage.has_matrices else ():
-        if match.outcome:
-            groups.setdefault(match.fixture.group, []).append(match)
+    matches = season.of_stage(stage) if stage.has_matrices else ()
+    groups = grouped((match.fixture.group, match) for match in matches if match.outcome)
     tables = (table for table in stage.tables if table.name in groups)
     return [(table.name, [row.team for row in table.rows], _met(groups[table.name])[1]) for table in tables]
 
@@ -208,9 +204,7 @@ def _team(season: Season, team: str, matches: Sequence[MatchView]) -> dict[str, 
     results = []
     for stage in season.state.stages:
         own = [match for match in matches if match.stage.name == stage.name]
-        runs: dict[str, list[MatchView]] = {}
-        for match in (match for match in own if match.is_challenge):
-            runs.setdefault(match.fixture.group, []).append(match)
+        runs = grouped((match.fixture.group, match) for match in own if match.is_challenge)
         results.append((stage.title, [match for match in own if not match.is_challenge], runs))
     return {
         "id": team,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_type_hints
 
 # SQLAlchemy's core: importing its ORM would take as long as all else that `status` does.
-from sqlalchemy import JSON, Boolean, Column, DateTime, Dialect, ForeignKey, Integer, MetaData, String, Table
+from sqlalchemy import JSON, Boolean, Column, DateTime, Dialect, ForeignKeyConstraint, Integer, MetaData, String, Table
 from sqlalchemy.types import TypeDecorator
 
 STORE_VERSION = 3
@@ -31,38 +31,11 @@ class UtcDateTime(TypeDecorator[datetime]):
         return None if value is None else value.replace(tzinfo=UTC)
 
 
-def _key(name: str, kind: type[String | Integer] = String) -> Column[Any]:
-    return Column(name, kind, primary_key=True)
+class MetaRow(NamedTuple):
+    """The version of the store, or the draws."""
 
-
-def _given(name: str, kind: Any = String, *more: Any) -> Column[Any]:
-    return Column(name, kind, *more, nullable=False)
-
-
-META = Table("meta", METADATA, _key("key"), _given("value"))
-"""The version of the store, and the draws."""
-
-SUBMISSION = Table(
-    "submission", METADATA, _key("id", Integer),
-    _given("team"), _given("purpose"), _given("archive"), _given("file"), _given("name"),
-    _given("received_at", UtcDateTime),
-)  # fmt: skip
-CHECKED = Table("checked", METADATA, _key("archive"), _key("scenario"), _given("level"), _given("findings", JSON))
-JOB = Table(
-    "job", METADATA, _key("id"),
-    _given("state"), _given("job", JSON), _given("summary", JSON), _given("files", JSON), _given("doubtful", Boolean),
-    _given("complaint"), _given("ended_at", UtcDateTime),
-)  # fmt: skip
-PLAYED = Table(
-    "played", METADATA, _key("fixture"),
-    _given("job_id", String, ForeignKey("job.id")), _given("sides"), _given("outcome", JSON),
-    _given("submissions", JSON), _given("played_at", UtcDateTime),
-)  # fmt: skip
-RULING = Table(
-    "ruling", METADATA, _key("id", Integer),
-    _given("kind"), _given("fixture"), _given("team"), _given("sides", JSON), _given("scores", JSON),
-    _given("last_rounds", JSON), _given("reason"), _given("at", UtcDateTime),
-)  # fmt: skip
+    key: str
+    value: str
 
 
 class SubmissionRow(NamedTuple):
@@ -139,3 +112,23 @@ class RulingRow(NamedTuple):
     scores: Sequence[float] = ()
     last_rounds: Mapping[str, int] = {}
     """Of a withdrawn team: by stage the last round for which it was drawn."""
+
+
+_KINDS = {str: String, bool: Boolean, datetime: UtcDateTime}
+"""Kinds of columns; all else is JSON."""
+
+
+def _table(name: str, row: type[Any], *key: str) -> Table:
+    """Return the table of these rows; without a key it numbers them."""
+    columns: list[Column[Any]] = [Column(one, _KINDS.get(kind, JSON), primary_key=one in key, nullable=False)
+               for one, kind in get_type_hints(row).items()]  # fmt: skip
+    return Table(name, METADATA, *([] if key else [Column("id", Integer, primary_key=True)]), *columns)
+
+
+META = _table("meta", MetaRow, "key")
+SUBMISSION = _table("submission", SubmissionRow)
+CHECKED = _table("checked", CheckRow, "archive", "scenario")
+JOB = _table("job", JobRow, "id")
+PLAYED = _table("played", PlayedRow, "fixture")
+PLAYED.append_constraint(ForeignKeyConstraint([PLAYED.c.job_id], [JOB.c.id]))
+RULING = _table("ruling", RulingRow)
