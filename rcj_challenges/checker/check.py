@@ -178,10 +178,9 @@ class _Check:
         self._stages |= {stage.name: stage for stage in self._inspection.stages}
         team = self._inspection.team
         if team is not None:
-            with team:
-                self._carry_out("design", lambda: check_designs(team, self._loaded))
-                self._carry_out("sources", lambda: check_sources(team))
-                self._run_programs(team, self._inspection.opening.name.text or team.name)
+            self._carry_out("design", lambda: check_designs(team, self._loaded))
+            self._carry_out("sources", lambda: check_sources(team))
+            self._run_programs(team, self._inspection.opening.name.text or team.name)
 
     def report(self, repaired: list[str], wall_s: float) -> FileReport:
         """Return the report. Stages that were not come to are skipped."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping, Sequence
-from contextlib import ExitStack, suppress
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -141,25 +141,24 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
     scenario = rehearsal.loaded.scenario
     short = shortened(rehearsal.loaded, seconds)
     began = time.perf_counter()
-    with ExitStack() as stack:
-        cast = {
-            seat: (rehearsal.team, rehearsal.name) if seat in seats else _opponent(rehearsal, seat, stack)
-            for seat in scenario.entrants
-        }
-        teams = {seat: team for seat, (team, _) in cast.items()}
-        names = {seat: name for seat, (_, name) in cast.items()}
-        ours = [robot for seat in seats for robot in scenario.entrants[seat].robots]
-        observer = _Observer(short, ours)
-        plan = MatchPlan(
-            loaded=with_designs(short, teams),
-            teams=teams,
-            team_names=names,
-            seed=SEED,
-            out=rehearsal.out,
-            sandbox=rehearsal.sandbox,
-            show_output=frozenset(ours),
-        )
-        played = play_match(plan, observer)
+    cast = {
+        seat: (rehearsal.team, rehearsal.name) if seat in seats else _opponent(rehearsal, seat)
+        for seat in scenario.entrants
+    }
+    teams = {seat: team for seat, (team, _) in cast.items()}
+    names = {seat: name for seat, (_, name) in cast.items()}
+    ours = [robot for seat in seats for robot in scenario.entrants[seat].robots]
+    observer = _Observer(short, ours)
+    plan = MatchPlan(
+        loaded=with_designs(short, teams),
+        teams=teams,
+        team_names=names,
+        seed=SEED,
+        out=rehearsal.out,
+        sandbox=rehearsal.sandbox,
+        show_output=frozenset(ours),
+    )
+    played = play_match(plan, observer)
     return Rehearsed(
         seats=seats,
         opponents={seat: name for seat, name in names.items() if seat not in seats},
@@ -194,19 +193,19 @@ def shortened(loaded: Loaded, seconds: float) -> Loaded:
     return load_resolved(resolved, loaded.name)
 
 
-def _opponent(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str]:
+def _opponent(rehearsal: Rehearsal, seat: str) -> tuple[Team, str]:
     """Return the opponent in another seat (a sample team, the team itself or a stand-in) and its name."""
     scenario = rehearsal.loaded.scenario
     sample = sample_team(scenario, seat)
     if sample is not None:
         with suppress(TeamError):  # no sample team has these programs
-            opened = stack.enter_context(open_team(sample, scenario.entrants[seat]))
+            opened = open_team(sample, scenario.entrants[seat])
             return opened, opened.name
     if seat in rehearsal.seats():
         return rehearsal.team, OWN_TEAM
     stand_in = rehearsal.out / "stand_in.py"
     stand_in.write_text(_STAND, encoding="utf-8")
-    return stack.enter_context(open_team(stand_in, scenario.entrants[seat])), _STANDING_ROBOTS
+    return open_team(stand_in, scenario.entrants[seat]), _STANDING_ROBOTS
 
 
 class _Observer(Observer):

@@ -71,11 +71,11 @@ def _designs(scenario: Scenario, team_path: str) -> str:
     if seat is None:
         help_ = "give one in which teams design robots"
         raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, f"{scenario.id} has no guidelines for robots", help_))
-    with open_team(locate_team(team_path), *scenario.entrants.values()) as team:
-        brought = brought_by(team, seat, scenario)
-        if brought is None:
-            raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, f"{team.name} has no robot.yaml"))
-        (verdict,) = brought.verdicts
-        if not verdict.designs:
-            raise DiagnosticError(*verdict.problems)
-        return draw_designs(team.name, verdict, scenario.guidelines[scenario.entrants[seat].design or ""])
+    team = open_team(locate_team(team_path), *scenario.entrants.values())
+    brought = brought_by(team, seat, scenario)
+    if brought is None:
+        raise DiagnosticError(Diagnostic(OPTION_DOES_NOT_FIT, f"{team.name} has no robot.yaml"))
+    (verdict,) = brought.verdicts
+    if not verdict.designs:
+        raise DiagnosticError(*verdict.problems)
+    return draw_designs(team.name, verdict, scenario.guidelines[scenario.entrants[seat].design or ""])

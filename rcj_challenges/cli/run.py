@@ -155,9 +155,6 @@ def run(
     except MatchInterruptedError as error:
         report.interrupted(error)
         return INTERRUPTED
-    finally:
-        for opened in plan.teams.values():
-            opened.close()
     return OK
 
 

@@ -100,10 +100,7 @@ def prepared(
     refuse_devices(out=out)
     played_seeds = dict.fromkeys(parse_seeds(seeds))
     # Errors of teams are reported once here, not for each seed.
-    programs = {}
-    for seat, opened in open_teams(loaded, teams).items():
-        programs[seat] = opened.digest
-        opened.close()
+    programs = {seat: opened.digest for seat, opened in open_teams(loaded, teams).items()}
     require_layers(sandbox)
     make_out_folder(out, "the records")
     arguments = [scenario, "--out", str(out), "--no-replay", "--quiet", "--sandbox", sandbox]

@@ -33,15 +33,10 @@ def open_teams(loaded: Loaded, given_teams: list[str]) -> dict[str, Team]:
     entrants = loaded.scenario.entrants
     given = assignments(given_teams, entrants, "--team")
     opened: dict[str, Team] = {}
-    try:
-        for seat, entrant in entrants.items():
-            path = locate_team(given[seat]) if seat in given else _sample_team(loaded, seat)
-            seats = entrants.values() if loaded.scenario.match.swap_sides else (entrant,)
-            opened[seat] = _opened(path, tuple(seats), loaded.scenario)
-    except BaseException:
-        for team in opened.values():
-            team.close()
-        raise
+    for seat, entrant in entrants.items():
+        path = locate_team(given[seat]) if seat in given else _sample_team(loaded, seat)
+        seats = entrants.values() if loaded.scenario.match.swap_sides else (entrant,)
+        opened[seat] = _opened(path, tuple(seats), loaded.scenario)
     return opened
 
 

@@ -146,8 +146,7 @@ def _programs(
         if len(found) == len(wanted):
             break
         try:
-            with open_team(path, *entrants) as team:
-                digest = team.digest
+            digest = open_team(path, *entrants).digest
         except TeamError:
             continue
         if digest in wanted:

@@ -221,11 +221,11 @@ class _MatchRunner:
         drivers: dict[int, Program] = {}
         for seat, entrant in self._scenario.entrants.items():
             team = self._plan.teams[half.teams[seat]]
-            for number, (name, entry_points) in enumerate(entrant.robots.items()):
+            for number, name in enumerate(entrant.robots):
                 robot = self._roster.index[name]
                 if robot in specs:
                     driving = team.driving(number)
-                    drivers[robot] = pool.add(specs[robot], driving, driving.entry_for(name, entry_points))
+                    drivers[robot] = pool.add(specs[robot], driving, driving.entries[name])
         pool.launch()
         return {robot: drivers[robot] for robot in sorted(drivers)}
 

@@ -63,7 +63,7 @@ def _has_programs(folder: Path, scenario: Scenario, seat: str) -> bool:
     if not folder.is_dir():
         return False
     try:
-        open_team(folder, scenario.entrants[seat]).close()
+        open_team(folder, scenario.entrants[seat])
     except TeamError:
         return False
     return True

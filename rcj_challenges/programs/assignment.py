@@ -33,7 +33,7 @@ class PoolPlan:
 
 @dataclass(frozen=True)
 class Assignment:
-    """A program and its robot; ``entry`` is its path inside the team's folder, from `Team.entry_for`."""
+    """A program and its robot; ``entry`` is its path inside the team's folder, from `Team.entries`."""
 
     spec: RobotSpec
     team: Team

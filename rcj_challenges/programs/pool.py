@@ -40,7 +40,7 @@ class ProgramPool:
         self._folders: PrivateFolders | None = None
 
     def add(self, spec: RobotSpec, team: Team, entry: str) -> Program:
-        """Add a robot's program, the file ``entry`` of the team (`Team.entry_for`); `launch` starts it."""
+        """Add a robot's program, the file ``entry`` of the team (`Team.entries`); `launch` starts it."""
         program = self.programs[spec.name] = Program(Assignment(spec, team, entry, self._plan))
         return program
 

@@ -6,9 +6,8 @@ import hashlib
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path, PurePath, PurePosixPath
-from types import MappingProxyType
-from typing import Self
 
 from rcj_challenges.core.codes import CANNOT_WRITE
 from rcj_challenges.core.errors import format_error, is_of_the_host
@@ -45,63 +44,38 @@ _SHOWN_FILES = 12
 _MIN_SIMILARITY = 0.75
 
 
+@dataclass(frozen=True, eq=False)
 class Team:
     """The files of one team, held in memory: what happens to the folder afterwards does not change a match.
 
     Attributes:
         source: where it was opened.
+        files: contents by path, below the folder in which its programs are looked for.
         name: its name, safe to show: one line of at most 32 printable characters.
-        digest: SHA-256 over names and contents of its files, the same for a folder and its ZIP.
         notes: flaws of the submission that do not prevent play.
+        entries: the path of the program by robot, for the seats that it was opened for.
+        single: the program, if it was given alone.
+        layout: how its files were found.
     """
 
-    def __init__(
-        self,
-        source: Path,
-        files: Files,
-        name: str,
-        notes: tuple[str, ...],
-        single: str = "",
-        layout: Layout | None = None,
-    ) -> None:
-        self.source = source
-        self.name = name
-        self.notes = notes
-        self.digest = _digest(files)
-        self._files = files
-        self._single = single
-        self._layout = layout
-        self._entries: dict[str, str] = {}
+    source: Path
+    files: Files
+    name: str
+    notes: tuple[str, ...]
+    entries: Mapping[str, str]
+    single: str
+    layout: Layout
 
-    @property
-    def files(self) -> Mapping[PurePosixPath, bytes]:
-        """Contents by path, below the folder in which its programs are looked for; empty after `close`."""
-        return MappingProxyType(self._files)
-
-    @property
-    def entries(self) -> Mapping[str, str]:
-        """The path of the program by robot, for the seats that it was opened for."""
-        return MappingProxyType(self._entries)
-
-    def entry_for(self, robot: str, entry_points: EntryPoints | None = None) -> str:
-        """Return the path of the program that drives a robot, inside the team's folder.
-
-        Args:
-            robot: its name.
-            entry_points: those of its seat; needed only for a seat that `open_team` was not given.
-
-        Raises:
-            TeamError: there is no such program.
-        """
-        if entry_points is not None:
-            found = self._first_of(entry_points)
-            if found is None:
-                looked_for = missing_programs(self._files, {robot: alternatives(entry_points)})
-                raise TeamError(f"{safe_text(self.source, MAX_PATH_SHOWN)}: {looked_for}", code=_MISSING)
-            return found
-        if robot not in self._entries:
-            raise TeamError(f"{self.source}: opened for {', '.join(self._entries)}, not for {robot}")
-        return self._entries[robot]
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 over names and contents of its files, the same for a folder and its ZIP."""
+        digest = hashlib.sha256()
+        for path, content in sorted(self.files.items()):
+            name = str(path).encode("utf-8", "surrogateescape")
+            digest.update(f"{len(name)} {len(content)}\n".encode())
+            digest.update(name)
+            digest.update(content)
+        return digest.hexdigest()
 
     def driving(self, number: int) -> Team:
         """Return the team that drives a robot of its side, as a `SuperTeam` does: this one drives all of them."""
@@ -115,7 +89,7 @@ class Team:
             HostError: it has no room for them.
         """
         try:
-            for name, content in self._files.items():
+            for name, content in self.files.items():
                 target = folder.joinpath(str(name))
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content)
@@ -127,7 +101,7 @@ class Team:
 
     def ignores_neighbour(self, name: str) -> bool:
         """Return whether a file or folder of this name lies, unread, beside a program that was given alone."""
-        if not self._single or name in ("", ".", "..") or PurePath(name).name != name:
+        if not self.single or name in ("", ".", "..") or PurePath(name).name != name:
             return False
         try:
             return self.source.with_name(name).exists()
@@ -137,40 +111,17 @@ class Team:
     def place_on_disk(self, entry: str) -> tuple[Path, Path] | None:
         """Return the folder in which the team has its files, and its program there; None if they are in an archive."""
         source = self.source.absolute()
-        if self._single:
+        if self.single:
             return source.parent, source
-        if self._layout is None or not source.is_dir():
+        if not source.is_dir():
             return None
-        folder, within = source / self._layout.top, self._layout.within
+        folder, within = source / self.layout.top, self.layout.within
         program = folder / str(PurePosixPath(entry).relative_to(within) if within else entry)
         return (folder, program) if program.is_file() else None
 
     def size_bytes(self) -> int:
         """Return the size of all files together."""
-        return sum(map(len, self._files.values()))
-
-    def close(self) -> None:
-        """Forget the files."""
-        self._files = {}
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def _first_of(self, entry_points: EntryPoints) -> str | None:
-        wanted = alternatives(entry_points)
-        if self._single:
-            return self._single  # a single file drives all robots
-        return next((entry for entry in wanted if PurePosixPath(entry) in self._files), None)
-
-    def _find_entries(self, seats: Iterable[Entrant]) -> None:
-        for seat in seats:
-            for robot, entry_points in seat.robots.items():
-                found = self._first_of(entry_points)
-                if found is not None:
-                    self._entries[robot] = found
+        return sum(map(len, self.files.values()))
 
 
 @dataclass(frozen=True)
@@ -203,11 +154,6 @@ class SuperTeam:
     def driving(self, number: int) -> Team:
         """Return the team that drives a robot, by its number on its side, from 0."""
         return self.members[number]
-
-    def close(self) -> None:
-        """Forget the files of all members."""
-        for member in self.members:
-            member.close()
 
 
 @dataclass(frozen=True)
@@ -284,8 +230,13 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
         name = find_team_name(files, fallback)
         team = None
         if not contents.refused:
-            team = Team(path, files, name.text, tuple(one.sentence for one in name.warnings), single, layout)
-            team._find_entries(seats)  # noqa: SLF001 - the module's own class
+            entries = {
+                robot: single or next(entry for entry in alternatives(wanted) if PurePosixPath(entry) in files)
+                for seat in seats
+                for robot, wanted in seat.robots.items()
+            }
+            notes = tuple(one.sentence for one in name.warnings)
+            team = Team(path, files, name.text, notes, entries, single, layout)
         return Opening(contents, files, team, name, layout.top, layout.within)
     whole = without_top_folders(contents.files)
     best = next((layout for layout in whole if PurePosixPath(NAME_FILE) in layout.files), whole[0])
@@ -426,13 +377,3 @@ def _nearest(entry: str, names: list[str]) -> str | None:
 
 def _numbers(name: str) -> list[str]:
     return re.findall(r"[0-9]+", name)
-
-
-def _digest(files: Files) -> str:
-    digest = hashlib.sha256()
-    for path, content in sorted(files.items()):
-        name = str(path).encode("utf-8", "surrogateescape")
-        digest.update(f"{len(name)} {len(content)}\n".encode())
-        digest.update(name)
-        digest.update(content)
-    return digest.hexdigest()

@@ -109,8 +109,7 @@ class JobMaker:
         key = (one.archive, repr([entrant.robots for entrant in entrants]))
         if key not in self._digests:
             try:
-                with open_team(self._place.submissions / one.file, *entrants) as opened:
-                    self._digests[key] = opened.digest
+                self._digests[key] = open_team(self._place.submissions / one.file, *entrants).digest
             except TeamError as error:
                 message = f"the submission of {team} cannot be opened for '{loaded.scenario.title}': {error}"
                 help_ = "let the team replace it, or decide its matches with 'tournament decide'"

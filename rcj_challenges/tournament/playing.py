@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
-
 from rcj_challenges.match.designs import with_designs
 from rcj_challenges.match.runner import MatchPlan, PlayedMatch, play_match
 from rcj_challenges.records.folder import replaced
@@ -32,24 +30,22 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
         MatchInterruptedError: it was interrupted.
     """
     loaded = place.load_scenario(job.scenario)
-    with ExitStack() as stack:
-        teams: dict[str, Team | SuperTeam] = {}
-        for seat in loaded.scenario.entrants:
-            members = tuple(_open_program(program, seat, loaded, place) for program in job.seats[seat])
-            teams[seat] = members[0] if len(members) == 1 else SuperTeam(members)
-            stack.callback(teams[seat].close)
-        plan = MatchPlan(
-            loaded=with_designs(loaded, teams),
-            teams=teams,
-            team_names=job.names,
-            seed=job.seed,
-            match_id=job.match_id,
-            out=place.playing,
-            record_name=job.id,
-            sandbox=job.sandbox,
-            record_sensors=job.records == "full",
-        )
-        played = play_match(plan)
+    teams: dict[str, Team | SuperTeam] = {}
+    for seat in loaded.scenario.entrants:
+        members = tuple(_open_program(program, seat, loaded, place) for program in job.seats[seat])
+        teams[seat] = members[0] if len(members) == 1 else SuperTeam(members)
+    plan = MatchPlan(
+        loaded=with_designs(loaded, teams),
+        teams=teams,
+        team_names=job.names,
+        seed=job.seed,
+        match_id=job.match_id,
+        out=place.playing,
+        record_name=job.id,
+        sandbox=job.sandbox,
+        record_sensors=job.records == "full",
+    )
+    played = play_match(plan)
     if job.records != "result" and any(half["ticks"] for half in played.result["halves"]):
         run = read_run(played.folder)
         write_replay(played.folder, run)
@@ -68,6 +64,5 @@ def _open_program(program: Program, seat: str, loaded: Loaded, place: Workplace)
     path = place.submission(program.archive)
     team = open_team(path, *entrants_of(seat, loaded.scenario))
     if team.digest != program.digest:
-        team.close()
         raise data_file_error(path, "its programs are not those that were handed in")
     return team

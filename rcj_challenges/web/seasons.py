@@ -97,7 +97,8 @@ def begin(season: Season, now: datetime) -> None:
             Basis.objects.create(season=season, scenario=scenario, versions=own_versions(), made_at=now)
             group, _ = Group.objects.get_or_create(label=_SAMPLES)
             for folder in match_samples(season.scenario).values():
-                with suppress(TeamError), open_team(folder, *entrants) as opened:
+                with suppress(TeamError):
+                    opened = open_team(folder, *entrants)
                     team, _ = group.team_set.get_or_create(name=opened.name, defaults={"is_name_public": True})
                     sha256, size_bytes = Blobs(current_site().folder).keep_bytes(zipped(folder))
                     Submission.objects.create(

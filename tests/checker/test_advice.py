@@ -39,8 +39,8 @@ def advise(tmp_path):
             path.write_text(program if name == entry else "", encoding="utf-8")
         robot = next(iter(scenario.robots))
         fault = {"kind": "crash", "robot": robot, "tick": 2, "detail": detail, "traceback": "", **fault}
-        with open_team(tmp_path / "team", *scenario.entrants.values()) as team:
-            return hint_for(scenario, team, fault, notes, whereabouts)
+        team = open_team(tmp_path / "team", *scenario.entrants.values())
+        return hint_for(scenario, team, fault, notes, whereabouts)
 
     return advise
 

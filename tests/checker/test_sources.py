@@ -27,8 +27,7 @@ def check(tmp_path):
             path = tmp_path / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
-        with open_team(tmp_path, *ENTRANTS) as team:
-            return check_sources(team)
+        return check_sources(open_team(tmp_path, *ENTRANTS))
 
     check_files.paths = check_paths
     return check_files
@@ -144,8 +143,7 @@ def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, b
     (tmp_path / "robot.py").write_text("import tools\n", encoding="utf-8")
     (tmp_path / beside).parent.mkdir(exist_ok=True)
     (tmp_path / beside).write_text("", encoding="utf-8")
-    with open_team(tmp_path / "robot.py", *ENTRANTS) as team:
-        found = only(check_sources(team))
+    found = only(check_sources(open_team(tmp_path / "robot.py", *ENTRANTS)))
     assert (found.code, found.level) == ("sources.missing_module", "error")
     assert found.help == (
         f"{beside.partition('/')[0]} lies beside robot.py, but only that one file was given: "

@@ -33,8 +33,7 @@ def printed(tmp_path):
     logs = tmp_path / "logs"
 
     def of(*faults):
-        with open_team(tmp_path / "robot.py") as team:
-            return advice_on(OF_2021, {"yellow": team}, faults, (), {}, logs)
+        return advice_on(OF_2021, {"yellow": open_team(tmp_path / "robot.py")}, faults, (), {}, logs)
 
     return of
 

@@ -66,8 +66,8 @@ def test_a_new_team_with_a_design_finds_the_ball_with_the_robots_that_it_designe
     monkeypatch.chdir(tmp_path)
     assert new("team", "my_team", "--design") == 0
     loaded = load("workshop")
-    with open_team("my_team", *loaded.scenario.entrants.values()) as team:
-        assert {one.code for one in check_designs(team, loaded).findings} == {"design.cost"}
+    team = open_team("my_team", *loaded.scenario.entrants.values())
+    assert {one.code for one in check_designs(team, loaded).findings} == {"design.cost"}
     robots = ["--set", "robots.B2.idle=true", "--set", "robots.B3.idle=true"]
     match = ["run", "workshop", "--blue", "my_team", "--duration", "2", "--halves", "1", *robots, *ONE_ROBOT]
     assert here(monkeypatch, tmp_path, *match, "--quiet", "--no-replay") == 0

@@ -3,7 +3,6 @@
 import hashlib
 import json
 import platform
-from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -64,13 +63,11 @@ def played(play: Play, length: str, out: Path) -> dict:
     loaded = load(SCENARIOS / f"{play.scenario}.yaml", [] if length == "whole" else SHORT)
     seats = loaded.scenario.entrants
     swaps = loaded.scenario.match.swap_sides
-    with ExitStack() as opened:
-        teams = {}
-        for seat in seats:
-            path = FOLDER / "teams" / f"{play.teams[seat]}.zip"
-            teams[seat] = open_team(path, *(seats.values() if swaps else (seats[seat],)))
-            opened.callback(teams[seat].close)
-        result = play_match(MatchPlan(loaded, teams, {}, out=out, sandbox="off")).result
+    teams = {}
+    for seat in seats:
+        path = FOLDER / "teams" / f"{play.teams[seat]}.zip"
+        teams[seat] = open_team(path, *(seats.values() if swaps else (seats[seat],)))
+    result = play_match(MatchPlan(loaded, teams, {}, out=out, sandbox="off")).result
     assert result["faults"] == []
     return {"score": result["score"], "events": len(result["events"]), "states": result["states"]}
 

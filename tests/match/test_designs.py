@@ -164,15 +164,14 @@ def test_super_team_of_four_plays_with_four_designs_on_both_sides(tmp_path):
 def test_run_and_check_refuse_a_hostile_file_for_the_same_reasons_within_a_second(tmp_path, data):
     place, base = Place(tmp_path), load_text(GUIDELINES)
     ours = team(place, None, base.scenario)
-    ours.close()
     (ours.source / ROBOT_FILE).write_bytes(data)
-    with open_team(ours.source, *base.scenario.entrants.values()) as ours:
-        began = time.process_time()
-        with pytest.raises(DiagnosticError) as caught:
-            with_designs(base, {"blue": ours})
-        between = time.process_time()
-        stage = check_designs(ours, base)
-        ended = time.process_time()
+    ours = open_team(ours.source, *base.scenario.entrants.values())
+    began = time.process_time()
+    with pytest.raises(DiagnosticError) as caught:
+        with_designs(base, {"blue": ours})
+    between = time.process_time()
+    stage = check_designs(ours, base)
+    ended = time.process_time()
     assert max(between - began, ended - between) < 1
     assert {one.code for one in caught.value.diagnostics} == {one.code for one in stage.findings} != set()
     assert stage.level == "error"

@@ -130,7 +130,7 @@ class FakeMatch:
         team = self.team(program) if isinstance(program, str) else program
         played = Played()
         with self.pool(**plan) as pool:
-            driver = pool.add(spec, team, team.entry_for(spec.name, entry))
+            driver = pool.add(spec, team, team.single or entry)
             pool.launch()
             last = play_on(driver, played, ticks, air)
             if finish and played.fault is None:

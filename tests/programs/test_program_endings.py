@@ -52,7 +52,7 @@ match = FakeMatch(Path({folder!r}), portable={portable!r})
 team = match.team({program!r})
 try:
     with match.pool() as pool:
-        programs = [pool.add(robot_spec(name), team, team.entry_for(name, "robot.py")) for name in ("Y1", "Y2")]
+        programs = [pool.add(robot_spec(name), team, team.single) for name in ("Y1", "Y2")]
         pool.launch()
         programs[0].collect()
         print(*(program._process.pid for program in programs), flush=True)

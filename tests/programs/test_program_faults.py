@@ -180,7 +180,7 @@ def test_what_an_exit_status_of_windows_means(
 def test_a_failed_program_stays_dead_and_repeats_its_failure(match: FakeMatch) -> None:
     with match.pool() as pool:
         team = match.team("faults/crashes_at_import")
-        program = pool.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        program = pool.add(SPEC, team, team.single)
         pool.launch()
         first = program.collect()
         assert isinstance(first, Fault)

@@ -111,7 +111,7 @@ def test_the_program_that_filled_the_temporary_folder_is_ended_and_the_match_goe
         programs = {}
         for name, program in (("Y1", WRITES_MUCH), ("B1", FINDS_NO_ROOM)):
             team = match.team(program)
-            programs[name] = pool.add(robot_spec(name), team, team.entry_for(name, "robot.py"))
+            programs[name] = pool.add(robot_spec(name), team, team.single)
         pool.launch()
         greedy, poor = programs.values()
         assert isinstance(greedy.collect(), Request)

@@ -63,7 +63,7 @@ def test_a_program_that_has_answered_pays_nothing_while_the_match_waits_for_anot
     with match.pool() as pool:
         for name, wait in (("Y1", "sleep(0.3)"), ("Y2", "sleep(0.02)")):
             team = match.team(f"{SLEEPS}{ROBOT}{wait}\n{STEPS}")
-            programs[name] = pool.add(robot_spec(name), team, team.entry_for(name, "robot.py"))
+            programs[name] = pool.add(robot_spec(name), team, team.single)
         pool.launch()
         for tick in range(3):
             for program in programs.values():
@@ -85,7 +85,7 @@ def test_a_program_that_computes_much_beside_its_steps_is_suspended_between_them
     match, used_s = FakeMatch(tmp_path), list[float]()
     with match.pool() as pool:
         team = match.team(f"import threading\n{COMPUTES}{ROBOT}{thread}{STEPS}")
-        driver = pool.add(robot_spec(), team, team.entry_for("Y1", "robot.py"))
+        driver = pool.add(robot_spec(), team, team.single)
         pool.launch()
         for tick in range(16 * 40):
             if tick:

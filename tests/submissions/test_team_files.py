@@ -54,12 +54,10 @@ def test_a_folder_and_its_zip_are_the_same_team(tmp_path: Path, files: dict[str,
     from_zip = open_team(zip_of(tmp_path / "team.zip", files), BLUE, YELLOW)
     assert from_folder.digest == from_zip.digest
     assert from_folder.name == from_zip.name == files["team_name.txt"].decode()
-    assert [from_zip.entry_for(robot) for robot in BLUE.robots] == [
-        from_folder.entry_for(robot) for robot in BLUE.robots
-    ]
+    assert [from_zip.entries[robot] for robot in BLUE.robots] == [from_folder.entries[robot] for robot in BLUE.robots]
     (tmp_path / "copy").mkdir()
     from_zip.unpack(tmp_path / "copy")
-    assert (tmp_path / "copy" / from_zip.entry_for("Y2")).read_bytes() == files[from_zip.entry_for("Y2")]
+    assert (tmp_path / "copy" / from_zip.entries["Y2"]).read_bytes() == files[from_zip.entries["Y2"]]
 
 
 def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path: Path) -> None:
@@ -106,26 +104,19 @@ def test_no_program_is_lost_with_what_lies_around_it_like_a_record(tmp_path: Pat
         folder_of(tmp_path / "folder", inside(around, files) if around else files),
         zip_of(tmp_path / "team.zip", inside(around, files) if around else files),
     ):
-        assert open_team(team, BLUE).entry_for("B1") == ENTRY
+        assert open_team(team, BLUE).entries["B1"] == ENTRY
 
 
 def test_the_first_entry_point_that_exists_is_taken(tmp_path: Path) -> None:
-    assert open_team(folder_of(tmp_path, OF_2021), BLUE).entry_for("B2") == "robot2/robot2.py"
-    assert open_team(folder_of(tmp_path, PRESENT), BLUE).entry_for("B2") == ENTRY
-
-
-def test_a_seat_that_was_not_foreseen_is_served_by_its_entry_points(tmp_path: Path) -> None:
-    team = open_team(folder_of(tmp_path, OF_2021), BLUE)
-    assert team.entry_for("Y3", YELLOW.robots["Y3"]) == "robot3/robot3.py"
-    with pytest.raises(TeamError, match="opened for B1, B2, B3, not for Y3"):
-        team.entry_for("Y3")
+    assert open_team(folder_of(tmp_path, OF_2021), BLUE).entries["B2"] == "robot2/robot2.py"
+    assert open_team(folder_of(tmp_path, PRESENT), BLUE).entries["B2"] == ENTRY
 
 
 @pytest.mark.parametrize("prefix", ["My Team", "a/b", "team-x/submission"])
 def test_extra_top_folders_are_looked_through(tmp_path: Path, prefix: str) -> None:
     junk = {"__MACOSX/x/._robot.py": b"\0", ".DS_Store": b"\0"}
     team = open_team(zip_of(tmp_path / "t.zip", inside(prefix, PRESENT) | junk), BLUE)
-    assert team.entry_for("B1") == ENTRY
+    assert team.entries["B1"] == ENTRY
     assert team.name == "Phase Moon"
     assert team.digest == open_team(folder_of(tmp_path / "plain", PRESENT), BLUE).digest
 
@@ -133,7 +124,7 @@ def test_extra_top_folders_are_looked_through(tmp_path: Path, prefix: str) -> No
 def test_the_programs_own_folder_will_do_whatever_it_is_called(tmp_path: Path) -> None:
     files = {"rcj_soccer_team_blue.py": b"x", "utils.py": b"u"}
     team = open_team(folder_of(tmp_path / "robots", files), BLUE)
-    assert team.entry_for("B1") == ENTRY
+    assert team.entries["B1"] == ENTRY
     (tmp_path / "copy").mkdir()
     team.unpack(tmp_path / "copy")
     assert (tmp_path / "copy" / "rcj_soccer_team_blue" / "utils.py").read_bytes() == b"u"
@@ -143,7 +134,7 @@ def test_the_programs_own_folder_will_do_whatever_it_is_called(tmp_path: Path) -
 def test_a_single_file_drives_all_robots(tmp_path: Path, given: str, entry: str) -> None:
     (tmp_path / given).write_bytes(b"x")
     team = open_team(tmp_path / given, BLUE, YELLOW)
-    assert {team.entry_for(robot) for robot in (*BLUE.robots, *YELLOW.robots)} == {entry}
+    assert {team.entries[robot] for robot in (*BLUE.robots, *YELLOW.robots)} == {entry}
     assert team.name == given[:-3]
 
 
@@ -347,9 +338,9 @@ def test_letters_that_a_mac_takes_apart_are_put_together(tmp_path: Path, packed:
     """Python composes the names that it imports; macOS does not care, and every other system does."""
     apart, whole = (unicodedata.normalize(form, "rcj_soccer_team_blue/größe.py") for form in ("NFD", "NFC"))
     make, name = (zip_of, "team.zip") if packed else (folder_of, "team")
-    with open_team(make(tmp_path / name, PRESENT | {apart: b"x = 1"}), BLUE) as team:
-        assert PurePosixPath(whole) in team.files
-        assert PurePosixPath(apart) not in team.files
+    team = open_team(make(tmp_path / name, PRESENT | {apart: b"x = 1"}), BLUE)
+    assert PurePosixPath(whole) in team.files
+    assert PurePosixPath(apart) not in team.files
 
 
 @pytest.mark.skipif(sys.platform == "darwin", reason="there both names are one file")

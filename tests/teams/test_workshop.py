@@ -35,8 +35,7 @@ while robot.step(320) != -1:
 @pytest.mark.parametrize("name", WORKSHOP)
 def test_a_design_is_within_the_budget_and_every_device_is_used(name):
     loaded = load("workshop")
-    with open_team(TEAMS / name, *loaded.scenario.entrants.values()) as team:
-        stage = check_designs(team, loaded)
+    stage = check_designs(open_team(TEAMS / name, *loaded.scenario.entrants.values()), loaded)
     assert {finding.code for finding in stage.findings} == {"design.cost"}
 
 

@@ -36,8 +36,7 @@ def accepted(config: SiteConfig, name: str, program: str = PLAYER, number: int =
     team, _ = make_team(name)
     path = Blobs(config.folder).incoming / "new"
     path.write_bytes(small_team(program))
-    with open_team(path.rename(path.with_suffix(".zip")), *_entrants()) as opened:
-        digest = opened.digest
+    digest = open_team(path.rename(path.with_suffix(".zip")), *_entrants()).digest
     sha256, size = Blobs(config.folder).keep_bytes(path.with_suffix(".zip").read_bytes())
     season = Season.objects.get()
     made = Submission.objects.create(
