@@ -19,7 +19,7 @@ from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.files import open_regular
-from rcj_challenges.records.folder import replaced
+from rcj_challenges.records.folder import replaced, utc_now
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.submissions.archive import Contents, TeamError, read_contents
@@ -76,7 +76,7 @@ def _take(team: str, purpose: str, source: Path, store: Store) -> SubmissionRow:
     archive, path = keep_submission(source, store.place.submissions)
     name = opening_of(path, read_contents(path)).name
     file = path.relative_to(store.place.submissions).as_posix()
-    return SubmissionRow(team, purpose, archive, file, name.text if name.given else team, store.now())
+    return SubmissionRow(team, purpose, archive, file, name.text if name.given else team, utc_now())
 
 
 def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:

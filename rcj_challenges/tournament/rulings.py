@@ -7,6 +7,7 @@ from difflib import get_close_matches
 
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.records.folder import utc_now
 from rcj_challenges.tournament import codes
 from rcj_challenges.tournament.models import LostBy
 from rcj_challenges.tournament.opened import OpenTournament, last_ruling, later_stages, sides_of
@@ -64,9 +65,7 @@ def decide(
         )
     elif kind is RulingKind.REPLAY and outcome is None:
         raise _wrong(codes.NOT_PLAYED, f"'{fixture_id}' has not been played yet", "there is nothing to be replayed")
-    row = RulingRow(
-        kind.value, reason, tournament.store.now(), fixture_id, "+".join(losers), sides_of(fixture), list(scores)
-    )
+    row = RulingRow(kind.value, reason, utc_now(), fixture_id, "+".join(losers), sides_of(fixture), list(scores))
     # Without a replay the first result counts again; the next run finds it among the jobs.
     replayed = [fixture_id] if RulingKind.REPLAY in (kind, undone.kind if undone else "") else []
     return _note(tournament, before, row, fixture, replayed, cascade=cascade)
@@ -91,7 +90,7 @@ def withdraw(
         raise _wrong(codes.WITHDRAWN_TWICE, f"'{team}' has withdrawn already", "nothing is left to decide")
     kind = RulingKind.UNDONE if undo else RulingKind.WITHDRAWN
     last_rounds = {} if undo else before.last_rounds(team)
-    row = RulingRow(kind.value, _checked(reason), tournament.store.now(), team=team, last_rounds=last_rounds)
+    row = RulingRow(kind.value, _checked(reason), utc_now(), team=team, last_rounds=last_rounds)
     return _note(tournament, before, row, None, [], cascade=cascade)
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import shutil
 import time
 from collections import deque
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import islice
@@ -74,13 +73,12 @@ class _Task:
 
 @dataclass
 class Runner:
-    """Plays a tournament, whose store is open for writing; the clock, for the remaining time, is monotonic."""
+    """Plays a tournament, whose store is open for writing."""
 
     tournament: OpenTournament
     jobs: JobMaker
     executor: Executor
     observer: RunObserver
-    clock_s: Callable[[], float] = time.monotonic
     _played: dict[str, PlayedFixture] = field(default_factory=dict)
     _tasks: dict[str, _Task] = field(default_factory=dict)
     _alone: deque[_Task] = field(default_factory=deque)
@@ -206,15 +204,15 @@ class Runner:
         return bool(self._open or self._alone)
 
     def _compute_state(self) -> None:
-        began = self.clock_s()
+        began = time.monotonic()
         self._state = self.tournament.state(self._played)
         self.tournament.keep_drawn()
-        self._state_at_s = self.clock_s()
+        self._state_at_s = time.monotonic()
         self._state_took_s = self._state_at_s - began
 
     def _progress(self) -> Progress:
         due_s = self._state_at_s + max(_STATE_EVERY_S, self._state_took_s / _STATE_SHARE)
-        if self.clock_s() >= due_s:
+        if time.monotonic() >= due_s:
             self._compute_state()
         expected = sum(stage.expected_matches for stage in self._state.stages)
         done = len(self._played.keys() | self._state.outcomes.keys())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from datetime import datetime
@@ -14,6 +14,7 @@ from tempfile import TemporaryDirectory
 from typing import Any, Self, TypeVar
 
 import sqlalchemy as sa
+from sqlalchemy.dialects.sqlite import insert
 from sqlalchemy.exc import DatabaseError
 from sqlalchemy.pool import StaticPool
 
@@ -61,14 +62,13 @@ class PlayedFixture:
 class Store:
     """What was played, submitted and decided; a context manager."""
 
-    def __init__(self, folder: Path, *, writing: bool, now: Callable[[], datetime] = utc_now) -> None:
+    def __init__(self, folder: Path, *, writing: bool) -> None:
         """Open the store, and make it if it is to be written and is not there; only one command at a time may write.
 
         Raises:
             DiagnosticError: another command writes to it, or it is damaged, of another version, or cannot be written.
         """
         self.place = Workplace(folder)
-        self.now = now
         self._path = folder / STORE_FILE
         self._stack = ExitStack()
         with ExitStack() as stack:
@@ -187,7 +187,7 @@ class Store:
         counts_for: Iterable[tuple[Fixture, Outcome]] = (),
     ) -> None:
         """Note in one transaction the outcome of a job, and the fixtures for which it counts."""
-        at = self.now()
+        at = utc_now()
         row = JobRow(job.id, state, job.to_json(), dict(summary or {}), dict(files or {}), doubtful, complaint, at)
         with self.transaction() as connection:
             _put(connection, JOB, **row._asdict())
@@ -389,9 +389,8 @@ def _empty_engine() -> sa.Engine:
 
 def _put(connection: sa.Connection, table: sa.Table, **columns: Any) -> None:
     """Write a row in the place of one with the same key, if there is one."""
-    is_same_key = sa.and_(*(column == columns[column.name] for column in table.primary_key))
-    if not connection.execute(sa.update(table).where(is_same_key).values(columns)).rowcount:
-        connection.execute(sa.insert(table).values(columns))
+    row = insert(table).values(columns)
+    connection.execute(row.on_conflict_do_update(index_elements=table.primary_key, set_=columns))
 
 
 def _count(
