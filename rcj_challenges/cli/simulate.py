@@ -190,39 +190,35 @@ def rank_summary(rank: Sequence[Ranked], outcomes: Sequence[Outcome]) -> dict[st
     from rcj_challenges.views.scoreboard import criterion_name
 
     results = [(outcome.job.seed, outcome.result) for outcome in outcomes if outcome.result is not None]
-    entries = [(entry["team"], entry, result) for _, result in results for entry in result["ranking"]]
-    by_entrant = grouped((entrant, entry) for entrant, entry, _ in entries)
-    is_finished = grouped((entrant, all(half["ended"] for half in one["halves"])) for entrant, _, one in entries)
+    entries = [
+        (entry["team"], entry, all(half["ended"] for half in result["halves"]))
+        for _, result in results
+        for entry in result["ranking"]
+    ]
+    places = grouped((team, entry["place"]) for team, entry, _ in entries)
+    found = grouped(
+        (team, [value if ended or not one.is_time else None for one, value in zip(rank, entry["values"], strict=True)])
+        for team, entry, ended in entries
+    )
     return {
         "criteria": [criterion_name(criterion) for criterion in rank],
         "matches": [{"seed": seed, "ranking": result["ranking"]} for seed, result in results],
         "places": {
-            entrant: {str(place): count for place, count in sorted(Counter(entry["place"] for entry in own).items())}
-            for entrant, own in by_entrant.items()
+            team: {str(place): count for place, count in sorted(Counter(own).items())} for team, own in places.items()
         },
-        "spread": {
-            entrant: [
-                _time_spread(values, is_finished[entrant]) if criterion.is_time else _spread(values)
-                for criterion, values in zip(rank, zip(*(entry["values"] for entry in own), strict=True), strict=True)
-            ]
-            for entrant, own in by_entrant.items()
-        },
+        "spread": {team: [_spread(values) for values in zip(*own, strict=True)] for team, own in found.items()},
     }
 
 
-def _time_spread(times_s: Sequence[float], is_finished: Sequence[bool]) -> dict[str, float | None]:
-    """Spread of times in s; unfinished matches are longer than any time."""
-    finished_s = [time_s for time_s, finished in zip(times_s, is_finished, strict=True) if finished]
-    unfinished = len(times_s) - len(finished_s)
-    spread = _spread([*finished_s, *[math.inf] * unfinished])
-    spread["mean"] = round(statistics.fmean(finished_s), 3) if finished_s else math.inf
-    known = {name: value if math.isfinite(value) else None for name, value in spread.items()}
-    return {**known, "unfinished": unfinished}
-
-
-def _spread(scores: Sequence[float]) -> dict[str, float]:
-    mean = round(statistics.fmean(scores), 3)
-    return {"least": min(scores), "median": statistics.median(scores), "mean": mean, "most": max(scores)}
+def _spread(values: Sequence[float | None]) -> dict[str, float | None]:
+    """Spread of values; None is worse than all, and counted if there is one."""
+    known = [value for value in values if value is not None]
+    missing = len(values) - len(known)
+    ordered = [*known, *[math.inf] * missing]
+    mean = round(statistics.fmean(known), 3) if known else math.inf
+    spread = {"least": min(ordered), "median": statistics.median(ordered), "mean": mean, "most": max(ordered)}
+    found = {name: value if math.isfinite(value) else None for name, value in spread.items()}
+    return found | ({"unfinished": missing} if missing else {})
 
 
 class Progress:

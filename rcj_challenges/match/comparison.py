@@ -20,7 +20,7 @@ _SEED_STEP, _MAX_SEEDS = 5, 1000
 def gains(new: Result, old: Result, team: str, rank: Rank) -> tuple[Score, ...]:
     """Return the gain of a result by criterion; of scores, the lead over the best opponent is compared."""
     compared = zip(_values(new, team, rank), _values(old, team, rank), strict=True)
-    return tuple(round_score(before - now) for now, before in compared)
+    return tuple(0 if before == now else round_score(before - now) for now, before in compared)
 
 
 def _values(result: Result, team: str, rank: Rank) -> list[Score]:

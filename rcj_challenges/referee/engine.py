@@ -21,12 +21,12 @@ from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.firing_order import Rounds
 from rcj_challenges.referee.log_sentences import no_room_sentence
 from rcj_challenges.referee.placement import AT_REST, PlacementJob, apply_placements, carry_out, compile_placement
-from rcj_challenges.referee.ranking import HalfValues, RankedValues
+from rcj_challenges.referee.ranking import RankedValues
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Places
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.places import place_of
-from rcj_challenges.rules.ranked import ranked_counters
+from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.scenario.draw_order import Series
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.positions import start_noise_m
@@ -54,6 +54,7 @@ class Referee:
         draws: what the draws decided, and who has the roles, by name; None: nothing.
         spots: where the spots are now, by name: [x, y] in m.
         rounds: in which rules fire.
+        ranked: returns the values by which entrants are ranked, as `RankedValues.read`.
 
     Raises:
         ValueError: ``draws`` names no draw, or a value that it cannot have; or a name in the scenario is unknown.
@@ -88,8 +89,8 @@ class Referee:
         self._quiet: RefereeOutput | None = None
         broadcast = scenario.broadcast
         self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._context)
-        self._ranked_by = ranked_counters(scenario.result.rank)
-        self._ranked = RankedValues(scenario.result.rank, self._state, self._contacts)
+        self._ranked_by = tuple(counters_in(scenario.result.rank))
+        self.ranked = RankedValues(scenario.result.rank, self._state, self._contacts).read
         self._change_tracker = ChangeTracker(self._state.scores)
 
     # --- state for readers --------------------------------------------------------------------------------------------
@@ -125,10 +126,6 @@ class Referee:
     def kept(self) -> dict[str, Any]:
         """What is kept for the next half, as its `HalfInfo.kept`."""
         return self._state.kept()
-
-    def ranked(self, before: HalfInfo) -> HalfValues:
-        """Return what the half counts in the ranking by now; ``before``: what it began with."""
-        return self._ranked.read(before)
 
     @property
     def clock_ticks(self) -> int:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, cast
+from typing import Any
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.referee.state import State
-from rcj_challenges.rules.base import Firing, Number, Reader
+from rcj_challenges.rules.base import Number, Reader
 from rcj_challenges.rules.ranked import Ranked
 from rcj_challenges.scenario.halves import by_seat
 from rcj_challenges.scenario.roster import ENTRANTS
-from rcj_challenges.tracking.bound_rules import BoundRule
+from rcj_challenges.tracking.bound_rules import NO_FIRING
 from rcj_challenges.tracking.contacts import Contacts
 
 HalfValues = Mapping[str, Sequence[Number | None]]
@@ -35,23 +35,31 @@ class RankedValues:
     """Reads the values by which entrants are ranked, of one half."""
 
     def __init__(self, rank: Sequence[Ranked], state: State, contacts: Contacts) -> None:
+        self._last = [one.over == "last" for one in rank]
         self._state = state
-        self._added = _Added(state)
-        self._readers = {
-            seat: [
-                (_reader(one, seat, state if one.over == "last" else cast("State", self._added), contacts))
-                for one in rank
-            ]
-            for seat in state.scenario.entrants
-        }
+        seats = state.scenario.entrants
+        self._readers = {seat: [_reader(one, seat, state, contacts) for one in rank] for seat in seats}
 
     def read(self, before: HalfInfo) -> HalfValues:
         """Return the values by now; ``before``: the half with the scores and counters that it began with."""
-        self._added.update(before)
-        return {
-            team: [read(Firing(_rule_of(seat), None, "")) for read in self._readers[seat]]
-            for seat, team in before.teams.items()
-        }
+        state, totals = self._state, self._read(before)
+        points, counters = (state.scores, *state.began_with.values()), state.counters
+        all_points, all_counters = [dict(one) for one in points], dict(counters)
+        for one in points:
+            one.update({seat: round_score(number - before.scores.get(seat, 0)) for seat, number in one.items()})
+        for name, first in before.kept.get("counters", {}).items():
+            is_of_entrants = state.scenario.counters[name].per == ENTRANTS
+            counters[name] = _less(counters[name], by_seat(first, before.teams) if is_of_entrants else first)
+        found = self._read(before)
+        counters.update(all_counters)
+        for one, all_there in zip(points, all_points, strict=True):
+            one.update(all_there)
+        for team, values in found.items():
+            values[:] = [totals[team][at] if self._last[at] else value for at, value in enumerate(values)]
+        return found
+
+    def _read(self, half: HalfInfo) -> dict[str, list[Number | None]]:
+        return {team: [read(NO_FIRING) for read in self._readers[seat]] for seat, team in half.teams.items()}
 
 
 def _reader(ranked: Ranked, seat: str, state: State, contacts: Contacts) -> Reader:
@@ -60,41 +68,8 @@ def _reader(ranked: Ranked, seat: str, state: State, contacts: Contacts) -> Read
     return ranked.compile(scope)
 
 
-def _rule_of(seat: str) -> BoundRule:
-    return BoundRule("", seat, None, None, None, None, "", entrant=seat)
-
-
-class _Added:
-    """The referee's state, in which scores, and counters that are kept for the match, are what a half has added."""
-
-    def __init__(self, state: State) -> None:
-        self._state = state
-        self.scores = dict(state.scores)
-        self.began_with: dict[str, dict[str, Number]] = {
-            "half": dict.fromkeys(state.scores, 0),
-            "phase": dict(state.scores),
-        }
-        self.counters = dict(state.counters)
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._state, name)
-
-    counter = State.counter
-
-    def update(self, before: HalfInfo) -> None:
-        """Work out what has been added to what was before."""
-        state, kept = self._state, before.kept.get("counters", {})
-        for seat in self.scores:
-            earlier = before.scores.get(seat, 0)
-            self.scores[seat] = round_score(state.scores[seat] - earlier)
-            self.began_with["phase"][seat] = state.began_with["phase"][seat] - earlier
-        for name, counter in state.scenario.counters.items():
-            first = kept.get(name) if counter.keep == "match" else None
-            first = by_seat(first, before.teams) if counter.per == ENTRANTS and first is not None else first
-            self.counters[name] = _less(state.counters[name], first)
-
-
 def _less(now: Any, before: Any) -> Any:
+    """Return what has been added to a counter, or to that of each of several."""
     if isinstance(now, dict):
-        return {one: _less(value, before and before.get(one)) for one, value in now.items()}
+        return {one: _less(value, before[one]) for one, value in now.items()}
     return None if now is None else round_score(now - (before or 0))

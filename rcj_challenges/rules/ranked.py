@@ -1,9 +1,10 @@
 """Values by which entrants are ranked: a value that is a number, and what is better."""
 
 from collections.abc import Sequence
+from math import inf
 from typing import Annotated, Any, ClassVar, Literal
 
-from rcj_challenges.core.amounts import MOST, add_up, round_score
+from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.rules.base import KeyedVocabulary, KeyedWord, Number, Reader, Scope
 from rcj_challenges.rules.fields import described
 from rcj_challenges.rules.valued import Valued, by_key, with_keys_of
@@ -35,8 +36,8 @@ class Ranked(Valued, KeyedWord):
     over: Literal["sum", "best", "worst", "last"] = described(
         "sum", "of the halves: their sum, the best one, the worst one; last: what it is when the match is over"
     )
-    says: str = described(
-        "",
+    says: str | None = described(
+        None,
         "the sentence for players on the rule sheet, required except for {score: each}; params by name are filled in",
         max_length=500,
     )
@@ -44,7 +45,7 @@ class Ranked(Valued, KeyedWord):
     @property
     def names(self) -> list[str]:
         """The names of all that it is made of: ``[time_s, touched_posts]``."""
-        return list(dict.fromkeys(map(measure_name, measures_in(self.value))))
+        return list(dict.fromkeys(map(_name_of, _measures_in(self.value))))
 
     @property
     def is_score(self) -> bool:
@@ -62,7 +63,11 @@ class Ranked(Valued, KeyedWord):
 
     def number(self, value: Number | None) -> Number:
         """Return a number that is the greater the worse the value is; none is worse than all."""
-        return MOST if value is None else value if self.better == "less" else -value
+        return inf if value is None else value if self.better == "less" else -value
+
+    def value_of(self, number: Number) -> Number | None:
+        """Return the value of such a number, or of the sum of several."""
+        return None if number == inf else round_score(number if self.better == "less" else -number)
 
     def of_halves(self, values: Sequence[Number | None]) -> Number | None:
         """Return what counts of the values of the halves."""
@@ -77,14 +82,12 @@ class Ranked(Valued, KeyedWord):
 _WORDS = {
     value.KEY: with_keys_of(value, Ranked, "Ranks") for value in NUMBERS.words() if issubclass(value, NumberValue)
 }
+for word in _WORDS.values():
+    asked = tuple((*keys, "says") for keys in word.VALUE.REQUIRES or ((),))
+    word.REQUIRES = () if word.VALUE is ScoreValue else asked
 RANKED = KeyedVocabulary({}, lambda _value: None)
 RANKED.add(*_WORDS.values())
 AnyRanked = Annotated[Ranked, RANKED]
-
-
-def ranked_like(value: NumberValue, ranked: Ranked) -> Ranked:
-    """Return a value that ranks as another one does."""
-    return _ranked(value, better=ranked.better, over=ranked.over)
 
 
 def _ranked(value: NumberValue, **beside: Any) -> Ranked:
@@ -94,29 +97,27 @@ def _ranked(value: NumberValue, **beside: Any) -> Ranked:
 BY_SCORE = _ranked(_SCORE, better="more")
 
 
-def measures_in(amount: Amount | None) -> list[NumberValue]:
+def counters_in(rank: Sequence[Ranked]) -> dict[str, Ranked]:
+    """Return what is counted for a ranking, by the name of the counter, without what stands beside it."""
+    found: dict[str, Ranked] = {}
+    for ranked in rank:
+        for measure in _measures_in(ranked.value):
+            if isinstance(inner := _inner(measure), CounterValue):
+                found.setdefault(inner.counter, _ranked(measure, better=ranked.better, over=ranked.over))
+    return found
+
+
+def _measures_in(amount: Amount | None) -> list[NumberValue]:
     """Return the values of which a number is made, each without what stands beside it."""
     if not isinstance(amount, NumberValue):
         return []
     several = amount.several() if isinstance(amount, FoldedValue) else ()
-    own = [one for part in several for one in measures_in(part)] if isinstance(several, tuple) else []
+    own = [one for part in several for one in _measures_in(part)] if isinstance(several, tuple) else []
     beside = (amount.otherwise, amount.times, amount.plus, amount.minus)
-    return [*(own or [amount.alone()]), *(one for part in beside for one in measures_in(part))]
+    return [*(own or [amount.alone()]), *(one for part in beside for one in _measures_in(part))]
 
 
-def ranked_counters(rank: Sequence[Ranked]) -> tuple[str, ...]:
-    """Return the counters by which entrants are ranked, each once, in order."""
-    names = (counter_in(one) for ranked in rank for one in measures_in(ranked.value))
-    return tuple(dict.fromkeys(name for name in names if name is not None))
-
-
-def counter_in(measure: NumberValue) -> str | None:
-    """Return the counter that a measure is, of one or of several; None: it is something else."""
-    inner = _inner(measure)
-    return inner.counter if isinstance(inner, CounterValue) else None
-
-
-def measure_name(measure: NumberValue) -> str:
+def _name_of(measure: NumberValue) -> str:
     """Return the name of a measure, with its unit if it has one: ``time_s``, ``touched_posts``, ``distance_m``."""
     inner = _inner(measure)
     is_named = isinstance(inner, KeptValue | WordValue | DrawValue)
@@ -128,5 +129,6 @@ _UNITS = {"m": "_m", "m/s": "_mps", "s": "_s"}
 
 
 def _inner(measure: NumberValue) -> NumberValue:
+    """Return what is read of each of several."""
     several = measure.several() if isinstance(measure, FoldedValue) else measure
     return measure if isinstance(several, tuple) else several

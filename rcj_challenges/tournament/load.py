@@ -25,7 +25,7 @@ from rcj_challenges.tournament.checks import Checks
 from rcj_challenges.tournament.codes import UNKNOWN_SCENARIO, WRONG_SCENARIO
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
 from rcj_challenges.tournament.models import Records
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
+from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
 from rcj_challenges.tournament.tournament_file import Tournament
 
@@ -172,5 +172,4 @@ def _of_scenario(mark: Mark, path: str, problem: Diagnostic) -> Diagnostic:
 
 def _info(scenario: Scenario) -> ScenarioInfo:
     seats = {seat: len(entrant.robots) for seat, entrant in scenario.entrants.items()}
-    criteria = tuple(Criterion(one.names[0], is_more_better=one.better == "more") for one in scenario.result.rank)
-    return ScenarioInfo(scenario.id, scenario.title, seats, criteria, sum(half_lengths_s(scenario.match)))
+    return ScenarioInfo(scenario.id, scenario.title, seats, scenario.result.rank, sum(half_lengths_s(scenario.match)))

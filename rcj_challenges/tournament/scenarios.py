@@ -10,6 +10,7 @@ from math import inf
 from pathlib import Path
 
 from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.ranked import Ranked
 from rcj_challenges.scenario.resources import shipped_scenarios
 from rcj_challenges.tournament.models import General, MatchesModel
 from rcj_challenges.tournament.season import Outcome, Ruled
@@ -29,36 +30,19 @@ class ScenarioUse:
 
 
 @dataclass(frozen=True, slots=True)
-class Criterion:
-    """One of the criteria by which a scenario ranks.
-
-    Its name is ``score``, ``time_s``, or that of a counter.
-    """
-
-    name: str
-    is_more_better: bool
-
-    def number(self, value: float | None) -> float:
-        """Return a value as a number; none is worse than all."""
-        if value is None:
-            return -inf if self.is_more_better else inf
-        return value
-
-
-@dataclass(frozen=True, slots=True)
 class ScenarioInfo:
     """The facts of a scenario that a tournament needs.
 
     Attributes:
         seats: number of robots by seat, in the scenario's order.
-        criteria: of the ranking, the first one first.
+        rank: the values by which it ranks, the first one first.
         duration_s: simulated time of all halves.
     """
 
     id: str
     title: str
     seats: Mapping[str, int]
-    criteria: tuple[Criterion, ...]
+    rank: tuple[Ranked, ...]
     duration_s: float
 
     def sort_key(self, outcome: Outcome) -> tuple[float, ...]:
@@ -66,8 +50,7 @@ class ScenarioInfo:
         if outcome.ruled in (Ruled.ANNULLED, Ruled.FORFEIT):
             return (inf,)
         values = outcome.values or outcome.scores
-        numbers = ((rank.number(one), rank.is_more_better) for one, rank in zip(values, self.criteria, strict=False))
-        return tuple(-number if is_more_better else number for number, is_more_better in numbers)
+        return tuple(rank.number(value) for value, rank in zip(values, self.rank, strict=False))
 
 
 class ScenarioNames:

@@ -11,7 +11,7 @@ from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.referee.ranking import HalfValues, RankedValues
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Scores
-from rcj_challenges.rules.ranked import Ranked, counter_in, measures_in, ranked_like
+from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.contacts import Contacts
@@ -26,17 +26,7 @@ def shows_score(scenario: Scenario) -> bool:
 
 def counted_names(scenario: Scenario) -> list[dict[str, str]]:
     """Return the counters that the ranking reads, as a scoreboard has them: ``{"name": "best", "unit": "s"}``."""
-    return [dict(zip(("name", "unit"), measure(name), strict=True)) for name in _counted(scenario)]
-
-
-def _counted(scenario: Scenario) -> dict[str, Ranked]:
-    """Return what is counted for the ranking, by the name of the counter: what stands beside it is left out."""
-    counted: dict[str, Ranked] = {}
-    for ranked in scenario.result.rank:
-        for one in measures_in(ranked.value):
-            if (name := counter_in(one)) is not None:
-                counted.setdefault(name, ranked_like(one, ranked))
-    return counted
+    return [dict(zip(("name", "unit"), measure(name), strict=True)) for name in counters_in(scenario.result.rank)]
 
 
 class RankingCounters:
@@ -44,7 +34,7 @@ class RankingCounters:
 
     def __init__(self, scenario: Scenario) -> None:
         self._scenario, self._roster = scenario, Roster.of(scenario)
-        counted = _counted(scenario)
+        counted = counters_in(scenario.result.rank)
         self._names, self._counted = tuple(counted), tuple(counted.values())
         self._over: list[HalfValues] = []
         self._half: HalfInfo | None = None
@@ -75,5 +65,5 @@ class RankingCounters:
 
 def counted_line(scenario: Scenario, values: list[Value]) -> str:
     """Return ``best 10.48 s, poles touched 2``: what counts for a team in the ranking beside its score."""
-    named = zip(_counted(scenario), values, strict=True)
+    named = zip(counters_in(scenario.result.rank), values, strict=True)
     return ", ".join(measured_words(name, number_words(value)) for name, value in named)

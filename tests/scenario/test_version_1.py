@@ -157,18 +157,18 @@ def recorded(rank: list[dict[str, object]], more: str = ""):
     ("first", "second"),
     [
         ({"score": "ascending"}, "{score: each, better: less}"),
-        ({"counter": "n"}, "{counter: n, better: more, says: The higher number of n is better.}"),
+        ({"counter": "n"}, "{counter: n, better: more, says: 'N: more is better.'}"),
         (
             {"counter": "laps", "order": "ascending"},
-            "{sum: {counter: laps, entity: each}, better: less, says: The lower number of laps is better.}",
+            "{sum: {counter: laps, entity: each}, better: less, says: 'Laps: less is better.'}",
         ),
         (
             {"time": "ascending", "plus": [{"counter": "n", "weight": 5}]},
-            "{word: time_s, plus: {counter: n, times: 5}, better: less, says: 'The shorter time is better, with 5 s for each count of n.'}",
+            "{word: time_s, plus: {counter: n, times: 5}, better: less, says: 'Time with n: less is better.'}",
         ),
         (
             {"time": "descending", "plus": [{"counter": "n", "weight": 5}, {"counter": "laps", "weight": -1}]},
-            "{word: time_s, plus: {sum: [{counter: n, times: 5}, {sum: {counter: laps, entity: each}, times: -1}]}, better: more, says: 'The longer time is better, with 5 s for each count of n, with -1 s for each count of laps.'}",
+            "{word: time_s, plus: {sum: [{counter: n, times: 5}, {sum: {counter: laps, entity: each}, times: -1}]}, better: more, says: 'Time with n with laps: more is better.'}",
         ),
     ],
 )

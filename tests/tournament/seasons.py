@@ -3,16 +3,19 @@
 import random
 from pathlib import Path
 
+from rcj_challenges.rules.ranked import BY_SCORE
+from rcj_challenges.scenario.models.scenario import Result
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.tree import plain
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.load import LoadedTournament
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames
+from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames
 from rcj_challenges.tournament.season import FixtureKind, Outcome, Team
 from rcj_challenges.tournament.tournament_file import Tournament
 
 FOLDER = Path("here")
+RACE = Result.model_validate({"rank": [{"score": "each", "better": "more"}, {"word": "time_s", "better": "less"}]}).rank
 SOLO = ("shooter", "slalom")
 """Names of scenarios with one seat; all others have two."""
 
@@ -39,11 +42,10 @@ def loaded(stages, teams, head=""):
 
 def info(name):
     if name == "shooter":
-        return ScenarioInfo(name, name, {"yellow": 1}, (Criterion("score", is_more_better=True),), 60)
+        return ScenarioInfo(name, name, {"yellow": 1}, (BY_SCORE,), 60)
     if name == "slalom":
-        criteria = (Criterion("score", is_more_better=True), Criterion("time", is_more_better=False))
-        return ScenarioInfo(name, name, {"yellow": 1}, criteria, 60)
-    return ScenarioInfo(name, name, {"blue": 3, "yellow": 3}, (Criterion("score", is_more_better=True),), 1200)
+        return ScenarioInfo(name, name, {"yellow": 1}, RACE, 60)
+    return ScenarioInfo(name, name, {"blue": 3, "yellow": 3}, (BY_SCORE,), 1200)
 
 
 def season(stages, teams, head="", withdrawn=None):

@@ -1,11 +1,10 @@
 """The value ``distance``."""
 
-from collections.abc import Callable
 from typing import Annotated, Self
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Phrases, Reader, Scope
+from rcj_challenges.rules.base import Firing, Phrases, Reader, Scope
 from rcj_challenges.rules.fields import MM_DIGITS, Name, Names, Point, described, is_named
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import MEASURED_TO
@@ -65,16 +64,7 @@ expect:
     COMPARED = "all of the blue robots are at least 0.3 m from the ball"
     ASKS_WHERE = True
 
-    def now(self, to: Scope) -> Callable[[], float | None]:
-        read = self._measure(to)
-        return lambda: None if (metres := read()) is None else round(metres, MM_DIGITS)
-
     def unrounded(self, to: Scope) -> Reader:
-        read = self._measure(to)
-        return lambda _firing: read()
-
-    def _measure(self, to: Scope) -> Callable[[], float | None]:
-        """Return a function that measures the distance; None if one of the two is off the field."""
         here, there = (to.targets(end) for end in self.distance)
         if any(one.place is None for one in here):
             here, there = there, here  # from what is a point to a zone or a gate
@@ -85,7 +75,7 @@ expect:
             if one.place is not None and not other.is_with(one.entity)
         ]
 
-        def read() -> float | None:
+        def read(_firing: Firing) -> float | None:
             starts = ((place(), away_m) for place, away_m in pairs)
             distances = (away_m(start[0], start[1]) for start, away_m in starts if start is not None)
             return min((one for one in distances if one is not None), default=None)

@@ -38,7 +38,7 @@ class NumberValue(ValueWord):
     Attributes:
         IS_PART: that the schema defines these fields once for all such values.
         OVER: the field in which ``highest``, ``lowest`` and ``sum`` put each member of a group; empty: it has none.
-        DIGITS: to how many digits behind the point it is compared with another value; None: to all.
+        DIGITS: to how many digits behind the point it is sent, counted and compared with another value; None: to all.
         COMPARED: how the rule sheet describes the condition in the example that compares it.
         IS_FACT: whether it is a condition without a comparison too.
     """
@@ -63,7 +63,10 @@ class NumberValue(ValueWord):
 
     def as_it_is(self, to: Scope) -> Reader:
         """Return a function that reads the value without what stands beside it; it can be written as JSON."""
-        return super().read(to)
+        if (digits := self.DIGITS) is None:
+            return super().read(to)
+        exact = self.unrounded(to)
+        return lambda firing: None if (number := exact(firing)) is None else round(number, digits)
 
     def measure(self, to: Scope) -> Reader:
         """Return a function that reads it as a number, without what stands beside it; None: there is none."""

@@ -1,6 +1,5 @@
 """The value ``speed``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope
@@ -23,6 +22,7 @@ class SpeedValue(NumberValue):
     KEY = "speed"
     UNIT = "m/s"
     OVER = "speed"
+    DIGITS = MM_DIGITS
     EXAMPLE = """
 rules:
   goal:
@@ -49,10 +49,6 @@ expect:
 
     def places(self, to: Scope) -> tuple[int, ...]:
         return to.entities(self.speed)
-
-    def now(self, to: Scope) -> Callable[[], float | None]:
-        state, entity = to.state, to.entities(self.speed)[0]
-        return lambda: None if (mps := state.speed_mps(entity)) is None else round(mps, MM_DIGITS)
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.owned('speed', self.speed)} in {self.UNIT}"

@@ -1,6 +1,5 @@
 """The value ``way``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope
@@ -53,11 +52,6 @@ expect:
 """
     SENTENCE = "the way of the ball in this half in m"
     COMPARED = "the ball has a way in this half of less than 5 m"
-
-    def now(self, to: Scope) -> Callable[[], float]:
-        ways, entity = to.state.ways, to.entities(self.way)[0]
-        to.state.follow_way(entity)
-        return lambda: round(ways[entity], MM_DIGITS)
 
     def unrounded(self, to: Scope) -> Reader:
         ways, entity = to.state.ways, to.entities(self.way)[0]

@@ -63,7 +63,6 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
                 yield from _length(model, path, scenario)
         if isinstance(model, Expectation | MatchExpectation | Given):
             yield from _owners(model, path, scenario, roster)
-    yield from _ranked(scenario)
     for name, rule in scenario.rules.items():
         yield from _measured(rule, ("rules", name), rule, scenario, roster)
     yield from _measured(scenario.broadcast, ("broadcast",), None, scenario, roster)
@@ -72,14 +71,6 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     for name, guideline in scenario.guidelines.items():
         yield from check_guideline(guideline, ("guidelines", name))
     yield from _entrants(scenario)
-
-
-def _ranked(scenario: Scenario) -> Iterator[Diagnostic]:
-    """Yield what ranks without a sentence for players."""
-    help_ = "says: a sentence for players, such as 'The shorter time is better.'"
-    for at, ranked in enumerate(scenario.result.rank):
-        if not ranked.says and not ranked.is_score:
-            yield issue(codes.MISSING_KEY, ("result", "rank", at), "'says' is missing", help_)
 
 
 # --- within one mapping -----------------------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ class NeverUsed(LintRule, code="never-used"):
         used["groups"] = {use.name for use in ctx.uses if use.is_on_field}.union(*scenario.groups.values())
         used["params"] = {one.param for one in nodes_in(ctx.tree) if isinstance(one, Leaf)}
         said = {name for rule in scenario.rules.values() for name in named_in(rule)}
-        said |= {name for ranked in scenario.result.rank for name in placeholders_in(ranked.says)}
+        said |= {name for ranked in scenario.result.rank for name in placeholders_in(ranked.says or "")}
         used["tables"] = {*_repeated_for(ctx.loaded.unresolved)}
         used["params"] |= {*placeholders_in(scenario.description), *said} - {*PLACEHOLDERS}
         for section in ("sequences", "placements"):

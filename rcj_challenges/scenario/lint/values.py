@@ -145,7 +145,7 @@ class UnknownPlaceholder(LintRule, code="unknown-placeholder"):
             known = (*PLACEHOLDERS, *repeated, *params, *scenario.counters, *scenario.draws, *scenario.roles)
             texts += [(("rules", name, key), blank, known) for blank, key in named_in(rule).items()]
         for at, ranked in enumerate(scenario.result.rank):
-            texts += [(("result", "rank", at, "says"), blank, params) for blank in placeholders_in(ranked.says)]
+            texts += [(("result", "rank", at, "says"), blank, params) for blank in placeholders_in(ranked.says or "")]
         for path, blank, known in texts:
             # A description may hold braces of its own.
             if blank not in known and (path[0] != "description" or blank.strip().isidentifier()):

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from rcj_challenges.core.amounts import measure
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
 
 _ACTIONS = {"score": ("points",), "count": ("by", "to")}
@@ -48,27 +47,22 @@ def _ranked(one: Entries, tree: Entries, bases: Sequence[Entries]) -> Entries | 
     mark, trees = one.mark, (tree, *bases)
     key = next((key for key in ("score", "time", "counter") if key in one.entries), "")
     order = _text(one, "order" if key == "counter" else key) or "descending" * (key == "counter")
-    if order not in ("ascending", "descending"):
+    better = {"descending": "more", "ascending": "less"}.get(order)
+    if better is None:
         return None
-    is_more = order == "descending"
-    better = Leaf("more" if is_more else "less", mark)
     if key == "score":
-        return _mapping(mark, score=Leaf("each", mark), better=better)
-    if key == "counter":
-        words, unit = measure(_text(one, key))
-        what = words if unit else f"number of {words}"
-        says = f"The {'higher' if is_more else 'lower'} {what} is better."
-        return _mapping(mark, **_counter(one, trees), better=better, says=Leaf(says, mark))
-    time, added = _time(tree, trees, mark), one.entries.get("plus")
-    says = f"The {'longer' if is_more else 'shorter'} time is better"
-    terms: list[Node] = []
-    for part in added.items if isinstance(added, Items) else ():
-        weight = _entries(part).get("weight") or Leaf(1, mark)
-        terms.append(_mapping(part.mark, **_counter(part, trees), times=weight))
-        seconds = weight.value if isinstance(weight, Leaf) else f"{{{_text(weight, 'param')}}}"
-        says += f", with {seconds} s for each count of {measure(_text(part, 'counter'))[0]}"
+        return _mapping(mark, score=Leaf("each", mark), better=Leaf(better, mark))
+    added = one.entries.get("plus")
+    parts = [part for part in (added.items if isinstance(added, Items) else ()) if isinstance(part, Entries)]
+    terms: list[Node] = [
+        _mapping(part.mark, **_counter(part, trees), times=part.entries.get("weight") or Leaf(1, mark))
+        for part in parts
+    ]
     plus = {"plus": terms[0] if len(terms) == 1 else _mapping(mark, sum=Items(terms, mark))} if terms else {}
-    return _mapping(mark, **time, **plus, better=better, says=Leaf(f"{says}.", mark))
+    value = _counter(one, trees) if key == "counter" else _time(tree, trees, mark) | plus
+    what = [_text(one, key) if key == "counter" else key, *(_text(part, "counter") for part in parts)]
+    says = f"{' with '.join(what).replace('_', ' ')}: {better} is better."
+    return _mapping(mark, **value, better=Leaf(better, mark), says=Leaf(says[:1].upper() + says[1:], mark))
 
 
 def _counter(node: Node, trees: Sequence[Entries]) -> dict[str, Node]:

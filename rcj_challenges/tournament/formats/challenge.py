@@ -3,18 +3,18 @@
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
-from math import isfinite
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.ranked import Ranked
 from rcj_challenges.scenario.tree import Step
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.stage import Format, Intake, StageSize
 from rcj_challenges.tournament.models import ChallengeScenario
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
+from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Row, Ruled, StageState, Table, humanized
 from rcj_challenges.tournament.standings import placed
 
@@ -136,7 +136,7 @@ def _table(context: StageContext, stage: Challenge, name: str, teams: Sequence[s
     values = {team: _counted(stage, info, [(*run, *worst[len(run) :]) for run in own]) for team, own in runs.items()}
     # Without its forfeited runs a team could have a better sum or median than with them.
     keys = {team: (not runs[team], forfeits[team], info.sort_key(Outcome((), values=values[team]))) for team in teams}
-    columns = tuple(criterion.name for criterion in info.criteria)
+    columns = tuple(one.names[0] for one in info.rank)
     # A lot decides the ranking of the stage; in one of several challenges it would decide points.
     may_draw = context.are_decided(fixtures) and len(stage.scenarios) == 1
     rows = _rows(context, name, keys, may_draw=may_draw)
@@ -152,10 +152,8 @@ def _info(context: StageContext, stage: Challenge, name: str) -> ScenarioInfo:
 def _worst(info: ScenarioInfo, runs: Sequence[_Values]) -> _Values:
     """Return the worst value of each criterion: a run with a corrected score has these in the other criteria."""
     return tuple(
-        (min if criterion.is_more_better else max)(
-            (run[at] for run in runs if at < len(run)), key=criterion.number, default=0.0
-        )
-        for at, criterion in enumerate(info.criteria)
+        max((run[at] for run in runs if at < len(run)), key=rank.number, default=0.0)
+        for at, rank in enumerate(info.rank)
     )
 
 
@@ -168,9 +166,8 @@ def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[_Values]) -> _
     from statistics import median  # noqa: PLC0415 - it imports much
 
     together = median if stage.rank_by == "median" else sum
-    columns = zip(info.criteria, zip(*runs, strict=True), strict=False)
-    numbers = (together([criterion.number(value) for value in column]) for criterion, column in columns)
-    return tuple(round_score(number) if isfinite(number) else None for number in numbers)
+    columns = zip(info.rank, zip(*runs, strict=True), strict=False)
+    return tuple(rank.value_of(together(map(rank.number, column))) for rank, column in columns)
 
 
 def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables: Sequence[Table]) -> Table:
@@ -178,7 +175,7 @@ def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables
     points: dict[str, list[float]] = {team: [] for team in teams}
     for found in tables:
         info = _info(context, stage, found.name)
-        given = _place_points(stage, found) if stage.combine == "places" else _shares(info.criteria[0], found)
+        given = _place_points(stage, found) if stage.combine == "places" else _shares(info.rank[0], found)
         for team in teams:
             points[team].append(given[team])
     totals = {team: round_score(sum(own)) for team, own in points.items()}
@@ -196,7 +193,7 @@ def _place_points(stage: Challenge, found: Table) -> dict[str, float]:
     }
 
 
-def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
+def _shares(rank: Ranked, found: Table) -> dict[str, float]:
     """Return 100 for the best value of the first criterion, and to others their share of it; nothing below 0.
 
     No team gets more than one with a better place: a team with a forfeited run can have the best value and the last
@@ -208,17 +205,17 @@ def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
     for row in found.rows:
         if not shares and row.values:
             best = row.values[0]
-        least = min(least, _share(criterion, row.values[0], best) if row.values else 0.0)
+        least = min(least, _share(rank, row.values[0], best) if row.values else 0.0)
         shares[row.team] = least
     return shares
 
 
-def _share(criterion: Criterion, value: float | None, best: float | None) -> float:
+def _share(rank: Ranked, value: float | None, best: float | None) -> float:
     if value is None or best is None:
         return 0.0
-    if value == best and best >= 0 and not (criterion.is_more_better and best == 0):
+    if value == best and best >= 0 and not (rank.better == "more" and best == 0):
         return 100.0
-    part, whole = (value, best) if criterion.is_more_better else (best, value)
+    part, whole = (value, best) if rank.better == "more" else (best, value)
     return round_score(round(100 * max(0.0, part / whole), 6)) if whole > 0 else 0.0
 
 

@@ -111,7 +111,7 @@ def _points_words(given: Mapping[str, Mapping[str, None]], seats: set[str]) -> s
 def how_to_win(scenario: Scenario) -> str:
     """Return the sentences of the ranking, one behind the other."""
     by_score = {"more": "The team with more points wins.", "less": "The team with fewer points wins."}
-    said = (filled(one.says, scenario.params) or by_score[one.better] for one in scenario.result.rank)
+    said = (filled(one.says or "", scenario.params) or by_score[one.better] for one in scenario.result.rank)
     return " ".join(said)
 
 
