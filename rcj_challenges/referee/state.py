@@ -131,13 +131,14 @@ class State(RefereeState):
         for name, draw in self.chosen.items():
             if draw.not_again is not None:
                 self._undrawn[name] = list(undrawn.get(name, draw.values))
-            if name in decided:
+            role = self.scenario.roles.get(name)
+            if name in decided and (role is None or role.initial is None):
                 self.draw_again(name, draw)
             elif name in kept:
                 self.draws[name] = kept[name]
                 if name not in undrawn:  # else it was taken out when it was drawn
                     self.set_draw(name, kept[name])
-            elif name in self.scenario.roles:
+            elif role is not None:
                 self.begin_role(name)
             else:
                 self.draw_again(name, draw)

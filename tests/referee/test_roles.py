@@ -310,6 +310,15 @@ def test_tests_decide_give_and_expect_roles(test, differences):
     assert len(run_test(load_text(TESTED % test), "t").differences) == differences
 
 
+def test_what_a_test_decides_of_a_role_that_begins_with_none_comes_when_it_is_assigned():
+    tests = "{z: {keyframes: [{at_s: 0}], lasts_s: 0.5, draws: {wanted: Y2}, roles: {wanted: none}}, "
+    tests += "t: {keyframes: [{at_s: 0}], lasts_s: 2, draws: {wanted: Y2}, roles: {wanted: Y2}}}"
+    assigned = "triggers: [{trigger: time_reached, at_s: 1}], actions: [{action: assign, role: wanted}]"
+    role = "roles: {wanted: {of: [Y1, Y2, B1, B2, B3], initial: none}}"
+    loaded = load_text(HEAD + f"{role}\nrules: {{next: {{{assigned}}}}}\nexpect: {tests}\n")
+    assert [run_test(loaded, name).differences for name in "zt"] == [(), ()]
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [
