@@ -81,7 +81,7 @@ BAD = [
      "never-drawn expect.t.draws.d[1]"),
     ("spots: {s: {x_m: 0, y_m: 0}}\n" + expectation("keyframes: [{at_s: 1}], spots: {s: [0.1, 0.1]}"),
      "never-drawn expect.t.spots.s"),
-    ("robots: {B1: null, B2: null, B3: null}\n", "entrant-without-robots entrants.blue"),
+    ("robots: {B1: null, B2: null, B3: null}\nentrants: {blue: {title: B}}\n", "entrant-without-robots entrants.blue.robots"),
     ("flags: {out: {per: yellow}}\n" + expectation("keyframes: [{at_s: 1}], given: {flags: {out: {B1: true}}}"),
      "unknown-name expect.t.given.flags.out.B1"),
     (expectation("keyframes: [{at_s: 1}, {at_s: 1}]"), "too-early expect.t.keyframes[1].at_s"),

@@ -96,11 +96,11 @@ def test_keys_that_are_suggested_exist():
 
 # --- what a base had and this scenario removed ------------------------------------------------------------------------
 
-NO_B3 = "robots: {B3: null}\nentrants: {blue: {robots: {B3: null}}}\n"
+NO_B3 = "robots: {B3: null}\n"
 
 
-def test_robot_removed_without_its_seat_is_reported_once_and_the_help_works():
-    (problem,) = errors("robots: {B3: null}\n")
+def test_robot_that_is_removed_and_driven_is_reported_once_and_the_help_works():
+    (problem,) = errors(NO_B3 + "entrants: {blue: {robots: {B3: x.py}}}\n")
     assert in_short(problem) == "unknown-name entrants.blue.robots.B3"
     assert problem.help.startswith("'B3' was removed in a.yaml:5")
     assert loaded(NO_B3)

@@ -35,6 +35,29 @@ def test_overridden_entries_keep_the_place_of_the_base_and_new_ones_follow():
     assert data["rules"]["b"] == {"priority": 7}
 
 
+@pytest.mark.parametrize(
+    ("over", "left"),
+    [
+        ("robots: {B1: null}", {"blue": {"robots": {"B2": "b.py"}}, "yellow": {"robots": {"Y1": "y.py"}}}),
+        ("robots: {B1: null, B2: null}", {"yellow": {"robots": {"Y1": "y.py"}}}),
+        ("robots: {B1: null, B2: null}, entrants: {blue: null}", {"yellow": {"robots": {"Y1": "y.py"}}}),
+        ("robots: {B1: null}, entrants: {blue: {robots: {B1: null}}, yellow: {title: Y}}",
+         {"blue": {"robots": {"B2": "b.py"}}, "yellow": {"robots": {"Y1": "y.py"}, "title": "Y"}}),
+        # What the file itself says of a removed robot, or of an entrant without robots, is not taken away silently.
+        ("robots: {B1: null}, entrants: {blue: {robots: {B1: c.py}}}",
+         {"blue": {"robots": {"B1": "c.py", "B2": "b.py"}}, "yellow": {"robots": {"Y1": "y.py"}}}),
+        ("robots: {B1: null, B2: null}, entrants: {blue: {title: B}}",
+         {"blue": {"robots": {}, "title": "B"}, "yellow": {"robots": {"Y1": "y.py"}}}),
+    ],
+)  # fmt: skip
+def test_removed_robots_leave_the_entrants_of_the_base_and_entrants_without_robots_go(over, left):
+    base = "robots: {B1: {}, B2: {}, Y1: {}}\n"
+    base += "entrants: {blue: {robots: {B1: b.py, B2: b.py}}, yellow: {robots: {Y1: y.py}}}"
+    data, merger = merged(base, f"{{{over}}}")
+    assert data["entrants"] == left
+    assert merger.problems == []
+
+
 @pytest.mark.parametrize(("base", "over"), [("entity: ball", "per: robots"), ("per: robots", "entity: ball")])
 def test_of_keys_of_which_one_is_given_the_written_one_takes_the_place_of_that_of_the_base(base, over):
     data, _ = merged(f"sequences: {{s: {{{base}, cyclic: true}}}}", f"sequences: {{s: {{{over}}}}}")

@@ -20,7 +20,7 @@ from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.checks.naming import removal_help
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import format_node, spelled
-from rcj_challenges.scenario.models.robots import Entrant, Kit
+from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence, Timer
 from rcj_challenges.scenario.roster import BOUND, EACH, ENTRANTS, OTHER, OTHERS, Roster, texts, touched
@@ -94,8 +94,6 @@ class _Walker:
         """Check the names of one mapping, and return what ``each`` and ``other`` stand for in it."""
         if model is Kit and path[-1] not in self.kits_in_use:
             return scope  # a preset's kit may list robots that this scenario has not
-        if model is Entrant and self._is_without_robots(node, path):
-            return scope
         if model is Rule:
             scope = self._scope_of(node)
         # What one of several timers lasts may be what the counter of the same member says.
@@ -114,21 +112,6 @@ class _Walker:
                 self.add(codes.UNKNOWN_NAME, path, message, f"set '{key}'; {known}")
         self._relations(model, node, path, scope)
         return scope
-
-    def _is_without_robots(self, entrant: Entries, path: Path) -> bool:
-        """Report once that all robots of an entrant were removed, and return whether they were."""
-        robots = entrant.entries.get("robots")
-        names = tuple(robots.entries) if isinstance(robots, Entries) else ()
-        if not names or not all(("robots", name) in self.removed for name in names):
-            return False
-        at = self.removed["robots", names[0]]
-        swaps = node_at(self.root, ("match", "swap_sides"))
-        also = ", and 'swap_sides: false' under match" if isinstance(swaps, Leaf) and swaps.value is True else ""
-        message = f"all robots of '{path[-1]}' were removed in {at.file}{f':{at.line}' if at.line else ''}"
-        self.add(
-            codes.ENTRANT_WITHOUT_ROBOTS, path, message, f"write '{path[-1]}: null' under entrants{also}", at_key=True
-        )
-        return True
 
     def _scope_of(self, rule: Entries) -> Scope:
         group = rule.entries.get("for_each")

@@ -3,8 +3,8 @@
 Mappings merge by key; lists and single values replace. Of keys of which only one can be given (``entity`` or ``per`` of
 a sequence) the one written takes the other's place. An entry whose kind changes (another ``shape``, ``device`` …)
 replaces the base's whole, since nothing of a circle makes sense in a rectangle. Overridden entries keep the base's
-place in the order; new ones follow. A written ``null`` removes a named entry of the base; a value that is left empty
-is a mistake, never a removal.
+place in the order; new ones follow. A written ``null`` removes a named entry of the base, a robot also from the base's
+entrants; a value that is left empty is a mistake, never a removal.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from rcj_challenges.scenario.shape import (
     tag_of,
     usual_tag,
 )
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, node_at
 
 REPEAT_FOR = "repeat_for"
 
@@ -70,6 +70,8 @@ class Merger:
         make_way(base, over.entries.keys(), shape)
         for key, node in over.entries.items():
             self.merge_entry(base, key, node, over.key_marks[key], shape, path)
+        if not path:
+            leave_entrants(base, over)
         return base
 
     def merge_entry(self, base: Entries, key: str, node: Node, key_mark: Mark, shape: Shape, path: Path) -> None:
@@ -168,6 +170,22 @@ def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:
     if either & written:
         for key in base.entries.keys() & either - written:
             base.drop(key)
+
+
+def leave_entrants(base: Entries, written: Entries) -> None:
+    """Take robots that a file removes out of the entrants of its base, and entrants that have none left."""
+    gone = _entries(written.entries.get("robots")).keys() - _entries(base.entries.get("robots")).keys()
+    entrants = base.entries.get("entrants")
+    for seat, entrant in list(_entries(entrants).items()) if gone else ():
+        driven, own = _entries(child(entrant, "robots")), node_at(written, ("entrants", seat))
+        for name in gone & driven.keys() - _entries(child(own, "robots")).keys():
+            del driven[name]
+        if not driven and own is None:
+            _entries(entrants).pop(seat)
+
+
+def _entries(node: Node | None) -> dict[str, Node]:
+    return node.entries if isinstance(node, Entries) else {}
 
 
 def is_param(node: Node) -> bool:
