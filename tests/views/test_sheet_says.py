@@ -96,7 +96,7 @@ def test_the_sheet_has_a_sentence_of_its_own_where_what_is_so_is_not_what_has_ha
 def test_copies_of_a_rule_say_the_same_in_general_words():
     text = """
 tables:
-  teams: {blue: {basket: yellow_goal, worth: 2}, yellow: {basket: blue_goal, worth: 3}}
+  teams: {blue: {basket: yellow_goal, worth: 2.5}, yellow: {basket: blue_goal, worth: 2.5}}
 rules:
   it:
     repeat_for: teams
@@ -104,8 +104,10 @@ rules:
     actions: [{action: end}]
     says: "The ball is in the {basket}, worth {worth}: {this} is ahead, and {teams} lines up."
 """
-    said = "- The ball is in its basket, worth …: a team is ahead, and the team lines up."
+    said = "- The ball is in its basket, worth 2.5: a team is ahead, and the team lines up."
     assert section(sheet(text), "Rules") == said
+    both = said + "\n" + said.replace("2.5", "3")
+    assert section(sheet(text.replace("goal, worth: 2.5}}", "goal, worth: 3}}")), "Rules") == both
     assert section(sheet(text + "    sheet: '{this} wins'\n"), "Rules") == "- A team wins."
 
 

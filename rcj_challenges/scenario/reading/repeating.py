@@ -20,7 +20,7 @@ from rcj_challenges.scenario.codes import NAME_TAKEN, SCENARIO_TOO_LARGE, WRONG_
 from rcj_challenges.scenario.errors import choice_of, did_you_mean, listing, place_of
 from rcj_challenges.scenario.messages.wording import format_node
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.placeholders import OPEN, PLACEHOLDERS, fill_generally, filled, placeholders_in
+from rcj_challenges.scenario.placeholders import PLACEHOLDERS, fill_generally, filled, placeholders_in
 from rcj_challenges.scenario.reading.merge import REPEAT_FOR, Merger, Repeated, is_param
 from rcj_challenges.scenario.reading.params import THIS, Resolver, params_of
 from rcj_challenges.scenario.shape import Shape, step_into
@@ -286,7 +286,7 @@ def _crossed(
 
 
 def _fill_sentences(rule: Entries, row: _Row) -> None:
-    """Fill in the values of a row in what a rule says; for the rule sheet general words, the same in all copies."""
+    """Fill in the values of a row in what a rule says; for the rule sheet general words for names, and numbers."""
     # As for params, a placeholder that is filled in when the rule fires takes precedence over a column.
     known = {key: _as_words(value) for key, value in row.values.items() if key not in PLACEHOLDERS}
     values = {key: value for key, value in known.items() if value is not None}
@@ -302,9 +302,9 @@ def _fill_sentences(rule: Entries, row: _Row) -> None:
 
 
 def _in_general(row: _Row, values: Mapping[str, Scalar | list[Scalar]]) -> dict[str, tuple[str, str]]:
-    """Return words for a row and its values that are true for every row: ``a team``, ``its basket``."""
+    """Return words for a row and its names that are true for every row, ``a team``, ``its basket``, and its numbers."""
     found = {
-        key: (f"its {key.replace('_', ' ')}",) * 2 if isinstance(value, str | list) else (OPEN, OPEN)
+        key: (f"its {key.replace('_', ' ')}" if isinstance(value, str | list) else filled(f"{{{key}}}", values),) * 2
         for key, value in values.items()
     }
     found |= {table: (Noun(kind, table).a, f"the {kind}") for table, kind in row.kinds.items()}
