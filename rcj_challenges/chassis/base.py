@@ -12,7 +12,7 @@ from pydantic import Field
 
 from rcj_challenges.core.amounts import add_up
 from rcj_challenges.geometry.polygons import Point, box, side, turned
-from rcj_challenges.rules.base import Phrases, Vocabulary, Word
+from rcj_challenges.rules.base import Vocabulary, Word
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import metres
 
@@ -281,7 +281,7 @@ class Chassis(Word):
         """The effect that drives all robots with this kind of chassis in a half."""
         raise NotImplementedError
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         """A description: ``a cube of 7.5 cm on two wheels; …``."""
         raise NotImplementedError
 

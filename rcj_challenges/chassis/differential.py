@@ -13,7 +13,6 @@ from typing import Literal
 from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, Drive, Grip, Mount, Physics, Wheel
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.geometry.polygons import Point, box
-from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import metres_alike
 
@@ -82,7 +81,7 @@ kits:
             physics, [(mount, mount.chassis) for mount in mounts if isinstance(mount.chassis, cls)]
         )
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         """A description."""
         apart, radius, width = metres_alike((self.wheel_track_m, self.wheel_radius_m, self.wheel_width_m))
         return (

@@ -15,7 +15,6 @@ from pydantic import Field
 from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, Drive, Grip, Mount, Physics, Shape, Wheel
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.geometry.polygons import side
-from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import degrees, listed, metres_alike
 
@@ -108,7 +107,7 @@ kits:
         """The effect that drives all robots with such wheels in a half."""
         return OmniDrive(physics, [(mount, mount.chassis) for mount in mounts if isinstance(mount.chassis, cls)])
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         """A description."""
         radius, width, ring = metres_alike((self.wheel_radius_m, self.wheel_width_m, self.wheel_ring_m))
         places = listed([degrees(at) for at in self.wheels_at_rad], "and")

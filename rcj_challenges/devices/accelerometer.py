@@ -4,7 +4,7 @@ from typing import Literal
 
 from rcj_challenges.chassis.base import GRAVITY_MPS2
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words
@@ -29,7 +29,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return AccelerometerSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         noise = noise_words(f"{self.noise_mps2:g} m/s²" if self.noise_mps2 else "")
         return f"acceleration ahead, to the left and up in m/s², at rest 0, 0, 9.81{noise}"
 

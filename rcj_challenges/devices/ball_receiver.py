@@ -5,7 +5,7 @@ from typing import Any, Literal, cast
 
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.traffic import Packet
-from rcj_challenges.devices.base import Fitted, Phrases, RobotSetup
+from rcj_challenges.devices.base import Fitted, RobotSetup
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import Vector
 from rcj_challenges.devices.receivers import ANY_CHANNEL, Receiver, ReceiverDevice
@@ -33,18 +33,15 @@ class BallReceiverDevice(ReceiverDevice):
 robots:
   Y1: {devices: {ball receiver: {device: ball_receiver, range_m: 2, direction_noise_rad: 0.05}}}
 """
-    SENTENCE = "infra-red receiver of the ball, up to 2 m (noise: standard deviation 2.86° of the direction)"
+    SENTENCE = "infra-red receiver of balls, up to 2 m (noise: standard deviation 2.86° of the direction)"
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"channel": self.channel, "range": self.range_m, "refused_channels": []}
 
-    def describe(self, phrases: Phrases) -> str:
-        balls = phrases.balls_with_infrared()
-        if not balls:
-            return "infrared receiver, which receives nothing, because no ball sends infrared signals"
+    def describe(self) -> str:
         direction = f"{degrees(self.direction_noise_rad)} of the direction" if self.direction_noise_rad else ""
         noise = noise_words(percent_words(self.strength_noise, "the strength"), direction)
-        return f"infra-red receiver of {balls}, up to {metres(self.range_m)}{noise}"
+        return f"infra-red receiver of balls, up to {metres(self.range_m)}{noise}"
 
 
 class BallReceiver:

@@ -3,7 +3,7 @@
 from typing import Any, Literal
 
 from rcj_challenges.chassis.base import is_at_front
-from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import metres
@@ -36,7 +36,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return BallSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         return (
             "light barrier: how far a ball is from the middle of the robot's front, within 2 cm to its sides, up to "
             f"{metres(self.range_m)}"

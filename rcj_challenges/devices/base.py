@@ -238,13 +238,6 @@ class SensorContext:
     make_sight: Callable[[], Sight]
 
 
-class Phrases(Protocol):
-    """What a device's line on the rule sheet needs of the scenario; the sheet implements it."""
-
-    def balls_with_infrared(self) -> str:
-        """Return the balls that send infra-red: ``the ball``, ``all balls``; empty: none."""
-
-
 class Sensor:
     """One sensor of one robot.
 
@@ -352,6 +345,6 @@ class Device(Word):
         """Return the motion of a motor; None if it is none."""
         return None
 
-    def describe(self, phrases: Phrases) -> str:
+    def describe(self) -> str:
         """Return its words on the rule sheet, with its range and its noise."""
         raise NotImplementedError

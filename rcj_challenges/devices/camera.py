@@ -15,7 +15,7 @@ from pydantic import Field
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Device, Eye, Fitted, Phrases, Rgb, RobotSetup, Seen
+from rcj_challenges.devices.base import Device, Eye, Fitted, Rgb, RobotSetup, Seen
 from rcj_challenges.devices.noise import sensor_stream
 from rcj_challenges.devices.poses import Vector
 from rcj_challenges.rules.fields import NotNegative, Positive, described
@@ -97,7 +97,7 @@ robots:
         if self.light[0] > self.light[1]:
             yield "light", "the smallest brightness stands first"
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         where = f"bearing {degrees(self.bearing_rad)}, {degrees(self.field_of_view_rad)} wide"
         if self.field_of_view_rad >= math.pi:
             where += " as a panorama"

@@ -3,7 +3,7 @@
 import math
 from typing import Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, order_words
@@ -31,7 +31,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return CompassSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         noise = noise_words(degrees(self.noise_rad) if self.noise_rad else "")
         return f"direction of north{order_words(self.frame, ', given as [left, up, ahead]')}{noise}"
 

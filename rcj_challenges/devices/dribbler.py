@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Motion, Movers, Phrases, RobotSetup
+from rcj_challenges.devices.base import Device, Fitted, Motion, Movers, RobotSetup
 from rcj_challenges.rules.fields import Positive, described
 
 ROLLER_M = 0.01
@@ -33,7 +33,7 @@ robots:
     def make_motion(self, fitted: Fitted, movers: Movers) -> Motion:
         return Motion(partial(movers.set_tool, fitted.robot, fitted.spec.name), 1, self.max_radps)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         return (
             f"dribbler: a roller of 1 cm radius that turns at up to {self.max_radps:g} rad/s; its rim pulls with up to "
             f"{self.force_n:g} N"

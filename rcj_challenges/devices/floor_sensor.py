@@ -2,7 +2,7 @@
 
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose, Vector
 from rcj_challenges.devices.wording import noise_words, percent_words
@@ -41,7 +41,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return FloorSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         return (
             f"brightness of the floor from 0 to 1000, {metres(self.ahead_m)} ahead and {metres(self.left_m)} left of "
             f"the robot's centre{noise_words(percent_words(self.noise, 'the value'))}"

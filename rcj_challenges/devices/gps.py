@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, order_words
@@ -30,7 +30,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return GpsSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         order = order_words(self.frame, ", given as [y, z, x]")
         return f"position of the robot{order}{noise_words(metres(self.noise_m) if self.noise_m else '')}"
 

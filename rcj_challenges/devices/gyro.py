@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise, drawn_once
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words
@@ -34,7 +34,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return GyroSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         noise = noise_words(f"{degrees(self.noise_radps)} a second" if self.noise_radps else "")
         if self.drift_radps:
             drift = f"in each half it reads too much by an amount of standard deviation {degrees(self.drift_radps)}"

@@ -4,7 +4,7 @@ import math
 from typing import Any, Literal
 
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise, drawn_once
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words
@@ -41,7 +41,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return InertialUnitSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         yaw = f"{degrees(self.noise_rad)} of the yaw" if self.noise_rad else ""
         drift = f"{degrees(self.drift_radps)} a second of its drift" if self.drift_radps else ""
         return f"roll, pitch and yaw in rad{noise_words(yaw, drift)}"

@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Motion, Movers, Phrases, RobotSetup
+from rcj_challenges.devices.base import Device, Fitted, Motion, Movers, RobotSetup
 from rcj_challenges.rules.fields import Positive, described
 
 
@@ -32,5 +32,5 @@ robots:
     def make_motion(self, fitted: Fitted, movers: Movers) -> Motion:
         return Motion(partial(movers.set_tool, fitted.robot, fitted.spec.name), 1, self.speed_mps)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         return f"kicker: at most {self.speed_mps:g} m/s, charged again after {self.recharge_s:g} s"

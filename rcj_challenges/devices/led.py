@@ -4,7 +4,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from rcj_challenges.devices.base import Device, Phrases, RobotSetup
+from rcj_challenges.devices.base import Device, RobotSetup
 from rcj_challenges.rules.fields import Colour
 from rcj_challenges.rules.phrasing import listed
 
@@ -29,5 +29,5 @@ robots:
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"max_velocity": float(len(self.colours)), "unit": "", "colours": list(self.colours)}
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         return f"light that can be {listed(list(self.colours), 'or')}"

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose, Vector
 from rcj_challenges.devices.wording import noise_words, order_words
@@ -114,7 +114,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return LidarSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         turning = f", turning at {self.frequency_hz:g} Hz" if self.rotating else ""
         noise = noise_words(metres(self.noise_m) if self.noise_m else "")
         order = order_words(self.frame, ", its points given as [left, up, ahead]")

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from rcj_challenges.chassis.base import WHEEL_NAMES, Chassis, WheelName, wheel_words
 from rcj_challenges.core.traffic import MotorCommand
-from rcj_challenges.devices.base import Device, Fitted, Motion, Movers, Phrases, RobotSetup
+from rcj_challenges.devices.base import Device, Fitted, Motion, Movers, RobotSetup
 from rcj_challenges.rules.fields import OneOrMinusOne, described
 
 _BY_VELOCITY = math.inf
@@ -44,7 +44,7 @@ robots:
         command = partial(movers.set_wheel, fitted.robot, chassis.number_of(self.wheel))
         return Motion(command, self.direction, chassis.max_wheel_radps)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         way = "forward" if self.direction == 1 else "backward"
         return f"motor of {wheel_words(self.wheel)}, positive speeds drive {way}"
 

@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, Literal, Self, cast
 
-from rcj_challenges.devices.base import Device, Fitted, FixedRay, Phrases, Reader, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, FixedRay, Reader, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose, Vector
 from rcj_challenges.devices.wording import noise_words, percent_words
@@ -78,7 +78,7 @@ robots:
         echoes = Echoes(fitted, context)
         return [SonarSensor(number, one, echoes, context) for number, one in enumerate(fitted)]
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         noise = noise_words(percent_words(self.noise, "the value from 1 m on, less when nearer"))
         if self.noise and self.range_m < NOISE_FULL_FROM_M:
             # It never measures as far as where the noise stops growing: the figure that holds is that of its own range.

@@ -2,7 +2,7 @@
 
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Phrases, RobotSetup
+from rcj_challenges.devices.base import RobotSetup
 from rcj_challenges.devices.receivers import ReceiverDevice
 from rcj_challenges.rules.fields import described
 
@@ -28,5 +28,5 @@ robots:
             facts["silent_ticks"] = setup.packet_every_ticks
         return facts
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         return f"receiver of the referee's packets, channel {self.channel}"

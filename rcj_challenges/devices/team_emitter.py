@@ -4,7 +4,7 @@ from collections import deque
 from typing import Any, Literal
 
 from rcj_challenges.core.timing import TICK_MS, TICK_S
-from rcj_challenges.devices.base import Device, Phrases, RobotSetup
+from rcj_challenges.devices.base import Device, RobotSetup
 from rcj_challenges.devices.receivers import ANY_CHANNEL
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import counted, metres
@@ -56,7 +56,7 @@ robots:
             ),
         }
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         in_a_tick = f"{counted(self.baud * TICK_S / _BITS_PER_BYTE, 'byte')} in a tick"
         return f"team radio, sends up to {metres(self.range_m)} far, {self.baud} baud ({in_a_tick})"
 

@@ -2,7 +2,7 @@
 
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Phrases, RobotSetup
+from rcj_challenges.devices.base import RobotSetup
 from rcj_challenges.devices.receivers import ReceiverDevice
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import metres
@@ -28,5 +28,5 @@ robots:
             "refused_channels": list(setup.foreign_channels),
         }
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         return f"team radio, receives from up to {metres(self.range_m)}"

@@ -3,7 +3,7 @@
 import math
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import degrees
@@ -39,7 +39,7 @@ robots:
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return TouchSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         where = f", bearing {degrees(self.bearing_rad)}, {degrees(self.angle_rad)} wide"
         text = "1 if it touched a wall, an obstacle or a robot in the last tick, else 0"
         return f"bumper{where if self.angle_rad < math.tau - _AROUND else ' all around'}: {text}"

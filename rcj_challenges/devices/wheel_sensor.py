@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import Literal, Self
 
 from rcj_challenges.chassis.base import WHEEL_NAMES, Chassis, WheelName, wheel_words
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Reader, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Reader, Sensor, SensorContext
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.rules.fields import OneOrMinusOne, described
 
@@ -35,7 +35,7 @@ robots:
     def contradictions(self, chassis: Chassis) -> Iterable[tuple[str, str]]:
         return chassis.lacking(self.wheel)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         driving = "forward" if self.direction == 1 else "backward"
         return f"angle of {wheel_words(self.wheel)} in rad, grows while the robot drives {driving}"
 

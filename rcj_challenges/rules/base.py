@@ -43,7 +43,6 @@ class Word(Strict):
     KEY: ClassVar = ""
     EXAMPLE: ClassVar = ""
     SENTENCE: ClassVar = ""
-    ASKS_WHERE: ClassVar = False
     READS_MESSAGES: ClassVar = False
 
     @classmethod

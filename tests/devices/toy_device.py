@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import DEVICES, Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import DEVICES, Device, Fitted, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words
@@ -36,7 +36,7 @@ robots:
         """Return the sensor of this device."""
         return MidlineSensor(self, fitted, context)
 
-    def describe(self, _phrases: Phrases) -> str:
+    def describe(self) -> str:
         """Return what it is."""
         return f"distance to the midline{noise_words(metres(self.noise_m) if self.noise_m else '')}"
 

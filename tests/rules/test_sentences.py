@@ -28,5 +28,6 @@ def test_word_of_an_example_is_described_as_beside_it(kind, word, example):
         ]
         models += [place_of(one.at) for one in models if isinstance(one, Place) and one.at is not None]
         own = phrases if rule is None else phrases.within(rule)
-        sentences += [one.describe(own) for one in models if isinstance(one, word)]
+        needed = () if kind in ("chassis", "devices") else (own,)
+        sentences += [one.describe(*needed) for one in models if isinstance(one, word)]
     assert word.SENTENCE in sentences

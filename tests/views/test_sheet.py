@@ -155,7 +155,6 @@ entrants: {yellow: {robots: {Y3: null}}}
         "| Y1 | yellow | of yellow | v2 | (0.2, -0.3), ± 7.5 cm in x, ± 7.5 cm in y, facing 90° counter-clockwise from +x |",
         "| device of v2 | robots | what it is |",
         "| gps | B1, B2, B3, Y2 | position of the robot |",
-        "| ball receiver | all | infra-red receiver of all balls, up to 0.6 m |",
     ]  # fmt: skip
     assert "Not here: Y3." in text
     assert "rcj-challenge sheet soccersim_v2" in text

@@ -24,7 +24,6 @@ class Crosses(Trigger):
     )
     direction: Literal["forward", "backward", "either"] = described("either", "direction of the crossing")
 
-    ASKS_WHERE = True
     MOMENT = Crossing
     EXAMPLE = """
 gates:

@@ -41,7 +41,6 @@ class Displaced(Trigger):
 
     REQUIRES = (("distance_m",), ("angle_rad",))
     MEASURED = "the distance in m by which it was displaced"
-    ASKS_WHERE = True
     LIMIT = "distance_m"
     REASON = "was displaced by {measured} m, at most {limit} m"
     EXAMPLE = """

@@ -18,7 +18,6 @@ class Enters(Trigger):
         ..., "a zone, each, or a draw's name; with a list or group: into any of them from outside all of them"
     )
 
-    ASKS_WHERE = True
     NOTES = (
         "Zones that are named together count as one: moving from one straight into the other is not entering.",
         "A rule without for_each fires once if several entities enter in one tick; with for_each, once for each.",

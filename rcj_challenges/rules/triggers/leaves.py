@@ -18,7 +18,6 @@ class Leaves(Trigger):
         ..., "a zone, each, or a draw's name; with a list or group: from any of them to outside all of them"
     )
 
-    ASKS_WHERE = True
     REASON = "left {zone}"
     MOMENT = Exit
     EXAMPLE = """

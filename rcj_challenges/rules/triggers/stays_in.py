@@ -27,7 +27,6 @@ class StaysIn(Trigger):
     grace_s: Waits = described(0.0, "absences of up to this time, in s, count as inside")
 
     MEASURED = "the time in s of the stay"
-    ASKS_WHERE = True
     MUST_EXCEED = True
     LIMIT = "limit_s"
     REASON = "stayed for {measured} s, at most {limit} s"

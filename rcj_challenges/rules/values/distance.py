@@ -62,7 +62,6 @@ expect:
 """
     SENTENCE = "the distance between the ball and the gate “line” in m"
     COMPARED = "all of the blue robots are at least 0.3 m from the ball"
-    ASKS_WHERE = True
 
     def unrounded(self, to: Scope) -> Reader:
         here, there = (to.targets(end) for end in self.distance)

@@ -26,7 +26,6 @@ class FactValue(Facts, NumberValue):
     OVER = "entity"
     REQUIRES = Facts.REQUIRES
     IS_FACT = True
-    ASKS_WHERE = True
     EXAMPLE = """
 rules:
   crowd:

@@ -72,9 +72,9 @@ def _full(scenario: Scenario, roster: Roster) -> tuple[Section, ...]:
         Section("Where things are put", tuple(_layouts(phrases, rules))),
         Section("Course", tuple(course_blocks(scenario, phrases))),
         Section("Field in full", tuple(field_blocks(scenario, phrases))),
-        Section("Robots", tuple(robot_blocks(scenario, phrases))),
+        Section("Robots", tuple(robot_blocks(scenario))),
         *program_sections(scenario, phrases),
-        Section("How rules are judged", (Items(tuple(general_notes(scenario, rules))),)),
+        Section("How rules are judged", (Items(tuple(general_notes())),)),
         Section("Limits of programs", tuple(_limits(scenario))),
     ]
     return tuple(section for section in sections if section.blocks)

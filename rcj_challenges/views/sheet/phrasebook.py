@@ -17,9 +17,6 @@ from rcj_challenges.scenario.rule_effects import names_other
 _MEASURED_BY_SEVERAL = "what was measured"
 """Written where triggers of one rule measure different things."""
 
-_MAX_NAMED = 4
-"""Of a draw that decides among more places than this the list of draws has the names."""
-
 _SHORT = 2
 """A name of so few characters does not stand after an article: `a`, `nw`."""
 
@@ -57,7 +54,8 @@ class Phrasebook:
         if name in ("each", OTHER, WALLS):
             return {"each": "it", OTHER: self.other}.get(name, "a wall")
         if name in self.scenario.draws and not _kind(self.scenario, name):
-            return self._place_drawn(name) or self.what_drawn(name)
+            kind = self.one_kind(self.roster.drawn.get(name, ()))
+            return f"the {kind} drawn as {quoted(name)}" if kind else self.what_drawn(name)
         kind, first = _kind(self.scenario, name), name.lower().partition("_")[0]
         if kind in ("", "robot"):
             return f"the {plain(name)}" if name in self.scenario.roles else plain(name)
@@ -168,14 +166,6 @@ class Phrasebook:
         members = self.roster.expand(name)
         return not any(member in self.scenario.spots or member in self.scenario.draws for member in members)
 
-    def balls_with_infrared(self) -> str:
-        """Return the balls that send infra-red: ``the ball``, ``all balls``; empty: none."""
-        balls = self.scenario.balls
-        sending = [self.thing(name) for name, ball in balls.items() if ball.emits]
-        if len(sending) == len(balls) > 1:
-            return "all balls"
-        return listed(sending, "and") + (" only" if sending and len(sending) < len(balls) else "")
-
     def may_be_off(self) -> bool:
         return bool(self.scenario.effects(Removes))
 
@@ -273,15 +263,6 @@ class Phrasebook:
         is_touching = all(getattr(trigger, "entity", None) == "each" for trigger in rule.triggers)
         thing = f"the {self.one_kind(others)}" if self.one_kind(others) else "what" if is_touching else "what is"
         return f"{thing} {'it touches' if is_touching else 'touched'}"
-
-    def _place_drawn(self, draw: str) -> str:
-        """Return the place that a draw decides on: ``the gate drawn as “door” (gate 1 or gate 2)``."""
-        among = self.roster.drawn.get(draw, ())
-        kind, drawn = self.one_kind(among), f"drawn as {quoted(draw)}"
-        if kind not in ("zone", "gate"):
-            return f"the {kind} {drawn}" if kind else ""
-        named = f" ({listed([self.thing(one) for one in among], 'or')})" if len(among) <= _MAX_NAMED else ""
-        return f"the {kind} {drawn}{named}"
 
     def is_several(self, name: str) -> bool:
         if self.is_team(name):

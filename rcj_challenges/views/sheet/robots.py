@@ -15,12 +15,11 @@ from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.shapes import point_words
 from rcj_challenges.views.sheet.document import Block, Table
-from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
 _RADIO = (TeamEmitterDevice, TeamReceiverDevice)
 
 
-def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
+def robot_blocks(scenario: Scenario) -> Iterator[Block]:
     """Yield the facts of the robots, in the first half if teams take theirs along."""
     if scenario.match.swap_sides and any(entrant.kits for entrant in scenario.entrants.values()):
         first = f"the first {scenario.match.period}"
@@ -40,11 +39,11 @@ def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     for kit_name, kit in scenario.kits.items():
         members = [name for name, robot in scenario.robots.items() if robot.kit == kit_name]
         if members:
-            yield f"Kit {kit_name}: {_body(kit, phrases)}"
+            yield f"Kit {kit_name}: {_body(kit)}"
         if driven := [name for name in members if not scenario.robots[name].idle]:
             steps = f"Programs for the kit {kit_name} usually take steps of {kit.control_step_ms} ms"
             yield f"{steps}; messages are as in version {kit.messages}."
-            rows = _device_rows(scenario, driven, phrases)
+            rows = _device_rows(scenario, driven)
             yield Table((f"device of {kit_name}", "robots", "what it is"), tuple(rows))
     yield from dict.fromkeys(
         f"Team radio: channel {team_channels(scenario)[name]} for {plain(owners[name])}."
@@ -59,11 +58,11 @@ def has(scenario: Scenario, robot: str, *kinds: type[Device]) -> bool:
     return not is_idle and any(isinstance(device, kinds) for device in devices_of(scenario, robot).values())
 
 
-def _device_rows(scenario: Scenario, robots: list[str], phrases: Phrasebook) -> Iterator[tuple[str, str, str]]:
+def _device_rows(scenario: Scenario, robots: list[str]) -> Iterator[tuple[str, str, str]]:
     carriers: dict[tuple[str, str], list[str]] = {}
     for robot in robots:
         for name, device in devices_of(scenario, robot).items():
-            carriers.setdefault((name, device.describe(phrases)), []).append(robot)
+            carriers.setdefault((name, device.describe()), []).append(robot)
     for (name, words), those in carriers.items():
         yield name, "all" if those == robots else ", ".join(map(plain, those)), words
 
@@ -81,6 +80,6 @@ def _start(start: models.StartPose) -> str:
     return f"{point_words((start.x_m, start.y_m))}{noise}, facing {heading(start.yaw_rad)}"
 
 
-def _body(kit: models.Kit, phrases: Phrasebook) -> str:
+def _body(kit: models.Kit) -> str:
     shown = " Pictures show its front at the other end." if kit.looks_along == "-x" else ""
-    return f"{kit.chassis.describe(phrases)}.{shown}"
+    return f"{kit.chassis.describe()}.{shown}"

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.actions import ACTIONS
-from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.conditions import CONDITIONS
 from rcj_challenges.rules.effects import Draws, Emits, SetsSpot, Writes
 from rcj_challenges.rules.fields import Strict
@@ -16,7 +15,6 @@ from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.rules.values import VALUES, duration_words
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
@@ -100,26 +98,18 @@ def _differences(sentence: str, other: str) -> list[str]:
     return [*changes] if is_alike and len(changes) <= _MAX_CHANGES else []
 
 
-def general_notes(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
-    """Yield what holds for all rules: of a scenario without rules, such as a preset, whatever they use."""
+def general_notes() -> Iterator[str]:
+    """Yield what holds for all rules, whatever they use."""
+    yield f"All is judged on every tick of {TICK_MS} ms; a time is over on the first tick on which it has passed."
     yield (
-        f"Everything is judged on every tick of {TICK_MS} ms; a time is over on the first tick on which it has passed."
+        "A rule that names no phase counts in the phase “play” only. What happens in another phase is not made up for "
+        "later, and what must last for a time is measured again."
     )
-    if set(scenario.phases) - {"play"} or not scenario.rules:
-        yield (
-            "A rule that names no phase counts in the phase “play” only. What happens in another phase is not made up "
-            "for later, and what must last for a time is measured again."
-        )
-    parts = (*rules.values(), scenario.placements, scenario.broadcast, scenario.sequences)
-    models: list[Strict | type[Strict]] = [model for model, _ in walk(parts)]
-    if not scenario.rules:
-        models = [Sequence, *(word for words in _VOCABULARIES for word in words.words())]
-    asks = (isinstance(one, Sequence) or (isinstance(one, Word) and one.ASKS_WHERE) for one in models)
-    if not scenario.rules or any(asks):
-        yield (
-            "A robot, a ball or an obstacle is where its centre is: that counts for zones and gates, and distances are "
-            "measured from it."
-        )
+    yield (
+        "A robot, a ball or an obstacle is where its centre is: that counts for zones and gates, and distances are "
+        "measured from it."
+    )
+    models: tuple[type[Strict], ...] = (Sequence, *(word for words in _VOCABULARIES for word in words.words()))
     yield from dict.fromkeys(note for model in models for note in model.NOTES)
 
 

@@ -69,13 +69,9 @@ def _team(phrases: Phrasebook, rule: Rule) -> str:
     # Balls and obstacles have no team: then it is the team of what came to them.
     is_over_robots = any(name in phrases.scenario.robots for name in each)
     names = each if is_over_robots else tuple(name for name in _concerned(phrases, rule) if name != "each")
-    entrants = phrases.scenario.entrants.items()
-    seats = {
-        next((seat for seat, entrant in entrants if member in entrant.robots), None)
-        for member in phrases.roster.expand(names)
-    }
-    only = seats.pop() if len(seats) == 1 else None
-    return _UNKNOWN_TEAM if only is None else plain(only)
+    members = set(phrases.roster.expand(names))
+    own = [seat for seat, robots in phrases.roster.teams.items() if members & set(robots)]
+    return plain(own[0]) if len(own) == 1 and members <= set(phrases.roster.teams[own[0]]) else _UNKNOWN_TEAM
 
 
 def _limit(phrases: Phrasebook, rule: Rule) -> str:
