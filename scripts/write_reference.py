@@ -28,11 +28,11 @@ from rcj_challenges.rules.actions import ACTIONS, AnyAction
 from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
-from rcj_challenges.rules.conditions.vocabulary import Alternative
 from rcj_challenges.rules.fields import NAME_RULE, Colour, DurationS, EventName, Name, Names, Point
 from rcj_challenges.rules.placement import Facing, Kick, Mirror, Towards
 from rcj_challenges.rules.places import PLACES, At
 from rcj_challenges.rules.ranked import AnyRanked, Ranked
+from rcj_challenges.rules.several_conditions import Alternative
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
 from rcj_challenges.rules.triggers.tips_over import TipsOver
 from rcj_challenges.rules.values import VALUES, Amount, Lasts, Limit, Value, Waits
@@ -42,7 +42,7 @@ from rcj_challenges.rules.values.flag import FlagValue
 from rcj_challenges.rules.values.folded import Several
 from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.json_schema import keywords, sentence_of
-from rcj_challenges.scenario.models import field, guidelines, places, robots, scenario, state
+from rcj_challenges.scenario.models import designs, field, places, robots, scenario, state
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -177,9 +177,9 @@ CHAPTERS = (
             Word("robots", robots.Robot),
             Word("start_pose", robots.StartPose, own_example=False),
             Word("entrants", robots.Entrant),
-            Word("guidelines", guidelines.Guideline),
-            Word("part", guidelines.Part, own_example=False),
-            Word("allowance", guidelines.Allowance, own_example=False),
+            Word("guidelines", designs.Guideline),
+            Word("part", designs.Part, own_example=False),
+            Word("allowance", designs.Allowance, own_example=False),
         ),
         "devices",
     ),

@@ -18,7 +18,7 @@ from rcj_challenges.scenario.roster import ENTRANTS, OTHERS
 from rcj_challenges.scenario.rule_effects import for_other, names_other
 from rcj_challenges.tracking.bound_rules import BoundRule
 from rcj_challenges.tracking.state import Clock
-from rcj_challenges.tracking.timers import RunsWhile
+from rcj_challenges.tracking.trackers import RunsWhile
 
 
 def assemble(context: CompileContext) -> None:

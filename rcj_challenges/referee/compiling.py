@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, TypeVar
 
@@ -14,12 +14,12 @@ from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import LONGEST_S
 from rcj_challenges.rules.placement import Mirror
-from rcj_challenges.rules.values import Lasts, compile_duration
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.rules.values import Lasts, Value, compile_duration, compile_value
+from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.positions import floor_parts
 from rcj_challenges.scenario.walk import walk
-from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, HitBuffer
+from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, HitBuffer, Reader
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.pose_history import PoseHistory
@@ -172,3 +172,43 @@ def _phases_of(scenario: Scenario, sequence: str) -> frozenset[str] | None:
         if any(getattr(word, "sequence", None) == sequence for word, _ in walk((rule.triggers, rule.conditions)))
     ]
     return None if "any" in following else frozenset(phase for phases in following for phase in phases)
+
+
+# --- the broadcast ----------------------------------------------------------------------------------------------------
+
+
+Told = dict[str, Any]
+
+
+class Broadcasting:
+    """Reads the values of a scenario's broadcast."""
+
+    def __init__(self, broadcast: Broadcast, context: CompileContext) -> None:
+        """Compile it.
+
+        Args:
+            broadcast: of the scenario.
+            context: whose state the values are read from.
+        """
+        self._every_ticks = broadcast.every_ticks
+        self._to_all = _readers(broadcast.fields, context)
+        self._to_some: dict[int, dict[str, Reader]] = {}
+        for name, fields in (broadcast.only or {}).items():
+            readers = _readers(fields, context)
+            for robot in context.roster.expand(name) if readers else ():
+                self._to_some.setdefault(context.roster.index[robot], {}).update(readers)
+
+    def values_at(self, tick: int) -> tuple[Told | None, dict[int, Told] | None]:
+        """Return the values sent to all robots at a tick, and to single ones besides, by index; None: nothing."""
+        if tick % self._every_ticks:
+            return None, None
+        to_some = {robot: _read(readers) for robot, readers in self._to_some.items()}
+        return _read(self._to_all), to_some or None
+
+
+def _readers(fields: Mapping[str, Value], context: CompileContext) -> dict[str, Reader]:
+    return {key: compile_value(value, context.names) for key, value in fields.items()}
+
+
+def _read(readers: Mapping[str, Reader]) -> Told:
+    return {key: read(NO_FIRING) for key, read in readers.items()}

@@ -16,8 +16,7 @@ from rcj_challenges.core.play import Event, Fault, HalfInfo, Placement, Pose2, R
 from rcj_challenges.core.play import Firing as FiringRecord
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.assembling import assemble
-from rcj_challenges.referee.broadcasting import Broadcasting
-from rcj_challenges.referee.compiling import CompileContext
+from rcj_challenges.referee.compiling import Broadcasting, CompileContext
 from rcj_challenges.referee.firing_order import Rounds
 from rcj_challenges.referee.log_sentences import no_room_sentence
 from rcj_challenges.referee.placement import AT_REST, PlacementJob, apply_placements, carry_out, compile_placement

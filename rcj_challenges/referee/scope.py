@@ -19,9 +19,8 @@ from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS, as_tuple
 from rcj_challenges.scenario.rule_effects import roles_in, spots_set_by_rules, with_names
-from rcj_challenges.tracking.circles import AnchoredCircle
 from rcj_challenges.tracking.contacts import Contacts
-from rcj_challenges.tracking.gates import GateLine
+from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
 from rcj_challenges.tracking.state import Number
 

@@ -1,10 +1,24 @@
-"""Conditions that must all hold, or of which one must hold."""
+"""The list of conditions, and conditions that must all hold, or of which one must hold."""
 
 from collections.abc import Sequence
+from typing import Annotated
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
+from pydantic import Field
+
+from rcj_challenges.rules.base import Binder, Condition, KeyedVocabulary, Phrases, Test
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.phrasing import listed
+
+CONDITIONS = KeyedVocabulary({}, lambda _value: None)
+AnyCondition = Annotated[Condition, CONDITIONS]
+
+_ALTERNATIVES = CONDITIONS.beside(
+    {},
+    lambda value: "list" if isinstance(value, list | tuple) else None,
+    rest={"list": Annotated[tuple[AnyCondition, ...], Field(strict=False, min_length=1)]},
+)
+Alternative = Annotated[Condition | tuple[Condition, ...], _ALTERNATIVES]
+"""One of several of which one must hold: a condition, or a list of which all must hold."""
 
 
 class AllHold(Condition):

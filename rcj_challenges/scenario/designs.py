@@ -23,8 +23,7 @@ from rcj_challenges.geometry.polygons import distance_to_segment_m, side
 from rcj_challenges.rules.phrasing import counted, listed, metres
 from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, listing
-from rcj_challenges.scenario.models.designs import Design, RobotFile
-from rcj_challenges.scenario.models.guidelines import Allowance, Guideline, Part
+from rcj_challenges.scenario.models.designs import Allowance, Design, Guideline, Part, RobotFile
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
 from rcj_challenges.scenario.tree import Entries, Path, in_names, mark_of, plain

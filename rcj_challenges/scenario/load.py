@@ -21,8 +21,7 @@ from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.kits import fill_in_devices
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.reading.extend import Source, read_chain
-from rcj_challenges.scenario.reading.find import find_scenario
+from rcj_challenges.scenario.reading.extend import Source, find_scenario, read_chain
 from rcj_challenges.scenario.reading.inherited_tests import TESTS, unfit_tests
 from rcj_challenges.scenario.reading.merge import Merger, Repeated
 from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params

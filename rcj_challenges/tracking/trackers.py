@@ -8,13 +8,13 @@ when it becomes active, or its entity is put elsewhere, it is reset: before := n
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Literal, NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import EVERYWHERE, Cell, common_cell
-from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
-from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.bound_rules import HitBuffer, Test, TriggerBinding
+from rcj_challenges.tracking.state import Clock, RefereeState
 
 NEVER = 1 << 62
 
@@ -285,3 +285,29 @@ def _stayed(cell: Cell, entity: int, substeps: list[list[Pose2]]) -> bool:
         if not (x_low < x < x_high and y_low < y < y_high):
             return False
     return True
+
+
+class RunsWhile(TickTracker):
+    """Lets a clock run from a tick in which a test holds to the next one in which it does not."""
+
+    def __init__(
+        self, state: RefereeState, hits: HitBuffer, clock: Clock, test: Test, reschedule: Callable[[], None]
+    ) -> None:
+        super().__init__(state, hits)
+        self._clock = clock
+        self._test = test
+        self._reschedule = reschedule
+
+    def reset(self) -> None:
+        """Look again: what the test says may have changed."""
+        self.update()
+
+    def update(self) -> None:
+        """Start or stop the clock, as the test says."""
+        clock, tick = self._clock, self._state.tick
+        holds = bool(self._test())
+        if holds == (clock.since is not None):
+            return
+        clock.elapsed = clock.ticks(tick)
+        clock.since = tick if holds else None
+        self._reschedule()

@@ -12,8 +12,7 @@ from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import score_so_far, shown_names, team_names
 from rcj_challenges.views.payloads import extra_payload_text
-from rcj_challenges.views.reasons import Reasons
-from rcj_challenges.views.sentences import clock
+from rcj_challenges.views.sentences import Reasons, clock
 from rcj_challenges.views.timeline import TimelineBuilder, TimelineEvent
 
 _MAX_UNANNOUNCED = 20

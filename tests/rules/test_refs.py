@@ -5,7 +5,7 @@ import typing
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.fields import Name, Names
 from rcj_challenges.rules.refs import refs_of
-from rcj_challenges.scenario.models import designs, guidelines, robots, scenario
+from rcj_challenges.scenario.models import designs, robots, scenario
 from rcj_challenges.scenario.shape import bare, fields, is_model, members, without_none
 from tests.whole_scenarios.models import all_models
 
@@ -29,9 +29,9 @@ DEFINING = {
     (Emit, "payload"),
     (scenario.Broadcast, "fields"),
     (scenario.ExpectedEvent, "payload"),
-    (guidelines.Guideline, "drives"),
-    (guidelines.Guideline, "devices"),
-    (guidelines.Part, "limits"),
+    (designs.Guideline, "drives"),
+    (designs.Guideline, "devices"),
+    (designs.Part, "limits"),
     (designs.RobotFile, "designs"),
     (designs.RobotFile, "robots"),
 }

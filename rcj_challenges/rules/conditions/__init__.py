@@ -11,7 +11,7 @@ from rcj_challenges.rules.conditions.role import RoleIs
 from rcj_challenges.rules.conditions.sequence import SequenceIs
 from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.conditions.told import ToldIs
-from rcj_challenges.rules.conditions.vocabulary import CONDITIONS, AnyCondition
+from rcj_challenges.rules.several_conditions import CONDITIONS, AnyCondition
 from rcj_challenges.rules.values import COMPARABLE
 from rcj_challenges.rules.values.entity import FactValue
 

@@ -3,8 +3,7 @@
 from pydantic import Field
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
-from rcj_challenges.rules.conditions.vocabulary import Alternative
-from rcj_challenges.rules.several_conditions import all_hold, as_one, one_holds, opposites, watched_by
+from rcj_challenges.rules.several_conditions import Alternative, all_hold, as_one, one_holds, opposites, watched_by
 
 
 class AnyOf(Condition):

@@ -11,7 +11,7 @@ from rcj_challenges.devices.base import DEVICES
 from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.scenario.codes import UNKNOWN_NAME, UNKNOWN_WORD, WRONG_VALUE
 from rcj_challenges.scenario.errors import choice_of
-from rcj_challenges.scenario.models.guidelines import Guideline, Part
+from rcj_challenges.scenario.models.designs import Guideline, Part
 from rcj_challenges.scenario.tree import Path
 
 

@@ -14,8 +14,8 @@ from rcj_challenges.rules.ranked import BY_SCORE, AnyRanked
 from rcj_challenges.rules.refs import ENTRANT, FIXED, KEEP, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Lasts, Value
+from rcj_challenges.scenario.models.designs import Guideline
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
-from rcj_challenges.scenario.models.guidelines import Guideline
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
 from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot

@@ -12,8 +12,7 @@ from rcj_challenges.devices.base import Device
 from rcj_challenges.geometry.polygons import turned
 from rcj_challenges.rules.phrasing import listed, metres, metres_alike
 from rcj_challenges.scenario.designs import Verdict
-from rcj_challenges.scenario.models.designs import Design
-from rcj_challenges.scenario.models.guidelines import Guideline
+from rcj_challenges.scenario.models.designs import Design, Guideline
 from rcj_challenges.scenario.shapes import Point
 from rcj_challenges.views.drawing.paper import Entry, Paper
 

@@ -15,8 +15,7 @@ from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.payloads import extra_payload_text
-from rcj_challenges.views.reasons import Reasons
-from rcj_challenges.views.sentences import event_title, fault_sentence
+from rcj_challenges.views.sentences import Reasons, event_title, fault_sentence
 from rcj_challenges.views.timeline import POINTS, HalfTimeline, Timeline, TimelineEvent
 
 _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.rules.phrasing import counted, listed, metres, number, plain
-from rcj_challenges.scenario.models.guidelines import Allowance, Guideline, Part
+from rcj_challenges.scenario.models.designs import Allowance, Guideline, Part
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.sheet.document import Block, Section, Table
 
