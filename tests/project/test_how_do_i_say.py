@@ -31,8 +31,8 @@ def differences(loaded: Loaded) -> list[str]:
 
 
 def poorer(lines: dict) -> dict[str, dict]:
-    """Return the lines without one of their rules (which never runs) or conditions; without rules, without all of them."""
-    made = {} if "rules" in lines else {"nothing": {}}
+    """Return the lines without one of their rules (which never runs), a condition, or what makes the ranking."""
+    made = {"without ranking": {key: of for key, of in lines.items() if key != "result"}} if "result" in lines else {}
     for name, rule in lines.get("rules", {}).items():
         lame = made[f"without {name}"] = deepcopy(lines)
         lame.setdefault("phases", {})["never"] = {}
