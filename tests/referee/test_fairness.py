@@ -131,7 +131,10 @@ rules:
   set:
     for_each: entrants
     triggers: [{trigger: holds, conditions: [{sum: {counter: hits, entity: each}, at_least: 3}]}]
-    actions: [{action: count, counter: sets}, {action: count, counter: hits, entity: each, to: 0}, {action: set_phase, phase: pause}]
+    actions:
+      - {action: count, counter: sets}
+      - {action: count, counter: hits, entity: each, to: 0}
+      - {action: set_phase, phase: pause}
   ahead:
     for_each: entrants
     priority: 1
@@ -154,7 +157,10 @@ rules:
     triggers: [{trigger: displaced, entity: each, distance_m: 0.1, angle_rad: 0.5}]
     actions: [{action: count, counter: far_m, to: {distance: [each, ball]}}]
   home: {for_each: homes, triggers: [{trigger: enters, entity: ball, zone: each}], actions: [{action: count, counter: in_home}]}
-  way: {for_each: robots, triggers: [{trigger: sequence_completed, sequence: way}], actions: [{action: score, entrant: each, points: 3}]}
+  way:
+    for_each: robots
+    triggers: [{trigger: sequence_completed, sequence: way}]
+    actions: [{action: score, entrant: each, points: 3}]
   near:
     for_each: entrants
     triggers: [{trigger: half_ended}]

@@ -216,7 +216,10 @@ class TestEverySection:
 
     def test_a_repeated_counter_of_each_robot_has_two_dimensions(self):
         hits = """
-tables: {rings: {outer: {radius: 0.3, zone: ring_outer, hits: hits_outer}, inner: {radius: 0.1, zone: ring_inner, hits: hits_inner}}}
+tables:
+  rings:
+    outer: {radius: 0.3, zone: ring_outer, hits: hits_outer}
+    inner: {radius: 0.1, zone: ring_inner, hits: hits_inner}
 zones: {ring: {repeat_for: rings, shape: circle, centre_m: [0, 0], radius_m: {param: radius}}}
 counters: {hits: {repeat_for: rings, per: robots}}
 rules:

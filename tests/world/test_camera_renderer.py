@@ -6,6 +6,7 @@ import os
 import random
 import subprocess
 import sys
+import time
 from dataclasses import replace
 
 import mujoco
@@ -159,3 +160,11 @@ def test_spots_and_circles_around_them_that_are_drawn_are_seen_on_the_floor() ->
     )
     bright = CameraRenderer(stage.scenario, stage.roster, stage.world).brightness
     assert [bright(*at) > 0.9 for at in ((0.3, 0.3), (0.3, -0.2), (0.4, -0.2))] == [True, False, True]
+
+
+def test_lines_of_the_largest_field_are_drawn_at_once() -> None:
+    ring = {"shape": "circle", "centre_m": [0, 0], "radius_m": 0.5, "drawn": True}
+    stage = Stage(field={"width_m": 10.0, "length_m": 10.0}, zones={"ring": ring})
+    began = time.process_time()
+    CameraRenderer(stage.scenario, stage.roster, stage.world)
+    assert time.process_time() - began < 5  # looking at all cells for each line takes 20 s
