@@ -104,7 +104,8 @@ class NameScope:
                 found += members
             else:
                 robots = self.members((self.other or name) if name == OTHER else name)
-                found += [self.state.entrant_of.get(robot) for robot in robots]
+                own = self.state.entrant_of.get(self.each or "") if self.roster.is_others(name) else None
+                found += [one for one in map(self.state.entrant_of.get, robots) if one != own]
         return tuple(dict.fromkeys(one for one in found if one is not None))
 
     def group_of_owners(

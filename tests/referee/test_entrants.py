@@ -56,6 +56,14 @@ class TestRulesForEachEntrant:
         assert play.referee.scores == {"blue": -1, "yellow": 0}
         assert play.firings[-1].says == "blue has fouled, a foul of Blue Moon."
 
+    @pytest.mark.parametrize("others", ["others", "entrants"])
+    def test_in_a_rule_for_robots_the_others_that_get_points_are_the_opponents(self, stage, others):
+        triggers = "triggers: [{trigger: touches, entity: each, other: walls}]"
+        score = f"actions: [{{action: score, entrant: {others}}}]"
+        played = stage(V2, f"rules: {{foul: {{for_each: robots, {triggers}, {score}}}}}")
+        touch(played, "B1", "walls", ticks=10)
+        assert played.referee.scores == {"blue": int(others == "entrants"), "yellow": 1}
+
     def test_the_log_shows_counters_and_roles_as_the_rule_leaves_them_and_the_others(self, fouled):
         play = fouled(
             "{action: count, counter: fouls}, {action: assign, role: wanted}",

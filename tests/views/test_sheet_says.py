@@ -111,6 +111,11 @@ rules:
     assert section(sheet(text + "    sheet: '{this} wins'\n"), "Rules") == "- A team wins."
 
 
+def test_in_a_rule_for_robots_others_get_points_as_the_other_team():
+    rule = "rules: {it: {for_each: robots, triggers: [{trigger: touches, entity: each, other: walls}], %s}}\n"
+    assert "| 1 for the other team |" in sheet(rule % "actions: [{action: score, entrant: others}], says: Bang.")
+
+
 def test_points_and_params_are_filled_in():
     score = "actions: [{action: score, entrant: blue, points: {param: n}}], says: '{points} points, {n}.'"
     rule = f"rules: {{it: {{triggers: [{{trigger: half_started}}], {score}}}}}\n"

@@ -29,8 +29,8 @@ class Score(Action):
     action: Literal["score"]
     entrant: Annotated[Name | LastToucher, SCORED] = described(
         ...,
-        "the entrant that gets them, by its seat in this half; each, others, other: the entrant, or that of the robot; "
-        "entrants: each of them; "
+        "the entrant that gets them, by its seat in this half; each, other: the entrant, or that of the robot; "
+        "others: the other entrants; entrants: each of them; "
         "{last_touch: ball}: the entrant of the robot that was the last to touch the ball since "
         "the ball was placed, if any",
         union_mode="left_to_right",

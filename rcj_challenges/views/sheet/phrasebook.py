@@ -151,6 +151,8 @@ class Phrasebook:
         if name in self.scenario.roles:
             is_team = set(self.roster.roles[name]) <= set(self.roster.teams)
             return self.thing(name) if is_team else f"the team of {self.thing(name)}"
+        if self.each != ENTRANTS and self.roster.is_others(name):
+            return "the other team" if len(self.scenario.entrants) == 2 else "each other team"
         if self.each != ENTRANTS or name == OTHER:
             return "its team" if name == "each" else f"the team of {self.thing(name)}"
         return "this team" if name == "each" else self._group(name)
