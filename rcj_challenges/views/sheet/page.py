@@ -82,7 +82,9 @@ def _full(scenario: Scenario, roster: Roster) -> tuple[Section, ...]:
 
 def _winning(scenario: Scenario, *, is_scored: bool) -> Iterator[Block]:
     if is_scored or scenario.result != Result():
-        yield how_to_win(scenario)
+        by_score = {"more": "The team with more points wins.", "less": "The team with fewer points wins."}
+        said = (filled(one.says or "", scenario.params) or by_score[one.better] for one in scenario.result.rank)
+        yield " ".join(said)
     yield length_words(scenario)
 
 
@@ -106,13 +108,6 @@ def _points_words(given: Mapping[str, Mapping[str, None]], seats: set[str]) -> s
     """Return what different receivers get; without their names if there is one team, or all get the same."""
     is_same = len(given) == 1 and (len(seats) == 1 or set(*given.values()) >= seats)
     return "; ".join(points if is_same else f"{points} for {listed(list(to), 'or')}" for points, to in given.items())
-
-
-def how_to_win(scenario: Scenario) -> str:
-    """Return the sentences of the ranking, one behind the other."""
-    by_score = {"more": "The team with more points wins.", "less": "The team with fewer points wins."}
-    said = (filled(one.says or "", scenario.params) or by_score[one.better] for one in scenario.result.rank)
-    return " ".join(said)
 
 
 def _ranking(phrases: Phrasebook) -> Iterator[Items]:

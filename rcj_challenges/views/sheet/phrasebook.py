@@ -49,16 +49,17 @@ class Phrasebook:
     # --- names -------------------------------------------------------------------------------------------------------
 
     def thing(self, name: str) -> str:
-        if name == "each" and self.is_team(name):
-            return "its robot"
         if name in ("each", OTHER, WALLS):
-            return {"each": "it", OTHER: self.other}.get(name, "a wall")
+            return {"each": "its robot" if self.is_team("each") else "it", OTHER: self.other}.get(name, "a wall")
         if name in self.scenario.draws and not _kind(self.scenario, name):
             kind = self.one_kind(self.roster.drawn.get(name, ()))
             return f"the {kind} drawn as {quoted(name)}" if kind else self.what_drawn(name)
         kind, first = _kind(self.scenario, name), name.lower().partition("_")[0]
+        if name in self.scenario.roles:
+            kind = self.one_kind(self.roster.roles[name])
+            return f"the {plain(name)}" if kind in ("", "robot") else f"the {kind} {quoted(name)}"
         if kind in ("", "robot"):
-            return f"the {plain(name)}" if name in self.scenario.roles else plain(name)
+            return plain(name)
         is_bare = kind != "zone" and kind not in name.lower()
         if is_bare or len(name) <= _SHORT or first in _WITHOUT_ARTICLE:
             return f"the {kind} {quoted(name)}"
