@@ -72,14 +72,9 @@ def _add_chosen(basis: Basis, wanted: int, now: datetime) -> int:
 def _met(basis: Basis) -> tuple[Counter[tuple[str, str]], list[tuple[str, str]]]:
     """The number of matches of each pair, played or queued, and the pairs of those in the queue."""
     rated = Match.objects.filter(basis=basis, kind=MatchKind.RATED, void="")
-    met: Counter[tuple[str, str]] = Counter()
-    waiting = []
-    for blue, yellow, played_at in rated.values_list("blue__digest", "yellow__digest", "played_at"):
-        pair = (min(blue, yellow), max(blue, yellow))
-        met[pair] += 1
-        if played_at is None:
-            waiting.append(pair)
-    return met, waiting
+    rows = rated.values_list("blue__digest", "yellow__digest", "played_at")
+    pairs = [((min(blue, yellow), max(blue, yellow)), played_at) for blue, yellow, played_at in rows]
+    return Counter(pair for pair, _ in pairs), [pair for pair, played_at in pairs if played_at is None]
 
 
 def _candidates(basis: Basis, playing: Mapping[str, list[Submission]], now: datetime) -> list[Candidate]:

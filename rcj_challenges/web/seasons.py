@@ -21,7 +21,7 @@ from rcj_challenges.web.config import current_site
 from rcj_challenges.web.demo import match_samples, zipped
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.ladder import published
-from rcj_challenges.web.models import Basis, Entry, Group, Job, Match, MatchKind, Season, Show, State, Submission, Team
+from rcj_challenges.web.models import Basis, Group, Job, Match, MatchKind, Season, Show, State, Submission, Team
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant
@@ -73,11 +73,10 @@ def programs_of(season: Season) -> dict[str, str | None]:
 
 def playing_now(season: Season) -> dict[str, list[Submission]]:
     """The submissions that play now, by the digest of their programs."""
-    entries = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None).order_by("team")
     found: dict[str, list[Submission]] = defaultdict(list)
-    for entry in entries.select_related("active__team__group").defer("active__report"):
-        assert entry.active is not None  # noqa: S101 - filtered
-        found[entry.active.digest].append(entry.active)
+    active = Submission.objects.filter(entry__season=season, team__deleted_at=None).order_by("team")
+    for one in active.select_related("team__group").defer("report"):
+        found[one.digest].append(one)
     return dict(found)
 
 

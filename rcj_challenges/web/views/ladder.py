@@ -68,9 +68,7 @@ def _seen_match(request: HttpRequest, pk: int) -> tuple[Viewer, Match, list[str]
         Http404: there is none, or it is practice of other teams.
     """
     viewer = viewer_of(request)
-    match = seasons.with_sides(Match.objects).filter(pk=pk, played_at__isnull=False).first()
-    if match is None:
-        raise Http404
+    match = get_object_or_404(seasons.with_sides(Match.objects.filter(played_at__isnull=False)), pk=pk)
     own = [side for side in seasons.SIDES if viewer.may_see(getattr(match, side).team)]
     if match.kind == MatchKind.PRACTICE and not own:
         raise Http404
