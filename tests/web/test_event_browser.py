@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import shutil
 import time
 import zipfile
@@ -72,15 +73,18 @@ def make_teams(served: Served, archives: list[bytes], *, is_checked: bool) -> No
 
 
 def make_event(page: Page, served: Served, **fields: str) -> None:
-    """Fill the form of a new event whose deadline was five minutes ago, and wait until it is frozen."""
+    """Fill the form of a new event, let its deadline have been five minutes ago, and wait until it is frozen."""
     page.goto("/desk")
     page.get_by_role("link", name="New event").click()
     assert barriers(page) == []
     with use_site(served.config):
-        deadline = timezone.localtime(timezone.now() - timedelta(minutes=5)).strftime(_FORM_TIME)
+        deadline = timezone.localtime(timezone.now() + timedelta(minutes=5)).strftime(_FORM_TIME)
     for name, value in {"title": "Spring cup", "deadline": deadline, **fields}.items():
         page.fill(f"#id_{name}", value)
     page.get_by_role("button", name="Make the event").click()
+    page.wait_for_url(re.compile(r"/desk/events/\d+"))
+    with use_site(served.config):
+        Event.objects.update(deadline=timezone.now() - timedelta(minutes=5))
     wait_until(page, "programs were frozen")
     assert barriers(page) == []
 
