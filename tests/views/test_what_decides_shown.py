@@ -14,11 +14,13 @@ import pytest
 from rcj_challenges.core.changes import CountersChange
 from rcj_challenges.core.play import Event, Firing, RefereeOutput
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.tournament.site.public import read_replay
 from rcj_challenges.views.live.encoder import LiveObserver
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
 from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.replay.page import page_text
 from rcj_challenges.views.standing import RankingCounters, shows_score
 from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario, write_run
 from tests.views.browser_stage import NO_WEBGL, settled
@@ -253,6 +255,22 @@ def test_a_field_without_walls_has_floor_beyond_its_edges(
     settled(page)
     at = [page.evaluate(COLOUR_AT, [x, 0.1]) for x in (0.5, 0.657, 0.7)]
     assert all(green > 100 and red < 80 and blue < 120 for red, green, blue in at), at
+
+
+def test_the_facts_of_an_older_replay_are_shown(show: Callable[..., Any], run: Path, tmp_path: Path) -> None:
+    path = tmp_path / "replay.html"
+    data = read_replay((run / "replay.html").read_text("utf-8"))
+    del data.facts["field"]["floor_m"]
+    for event in data.facts["events"]:
+        del event["copy"]
+    path.write_text(page_text(data.facts, data.poses), "utf-8")
+    page = show(tmp_path)
+    page.evaluate("replay.app.look('top')")
+    settled(page)
+    red, green, blue = page.evaluate(COLOUR_AT, [0.5, 0.1])
+    assert green > max(red, blue)
+    page.locator("#events .event").first.click()
+    assert "undefined" not in page.locator(".details").inner_text()
 
 
 def test_a_live_match_sends_ranking_counters_when_they_change() -> None:

@@ -30,10 +30,9 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         "field": {
             "width_m": field.width_m,
             "length_m": field.length_m,
-            "walls": field.walls,
             "wall_height_m": field.wall_height_m,
             "corner_cut_m": field.cut_m,
-            "floor_m": [field.bounds.width_m / 2, field.bounds.length_m / 2],
+            "floor_m": None if field.walls else [field.bounds.width_m / 2, field.bounds.length_m / 2],
             "goals": [_coloured(goal) for goal in field.goals.values()],
         },
         "entities": [_entity(in_half(scenario, 1), name) for name in roster.entities],

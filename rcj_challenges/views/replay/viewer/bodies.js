@@ -141,7 +141,7 @@ const Bodies = {
   walls(field) {
     const x = field.width_m / 2, y = field.length_m / 2, cut = field.corner_cut_m, height = field.wall_height_m;
     const walls = [];
-    if (!field.walls) return walls;
+    if (field.floor_m) return walls;
     const add = (from, to, tall = height, colour = PALETTE.wall) => walls.push({ from, to, height: tall, colour });
     for (const side of [-1, 1]) {
       add([side * x, -y + cut], [side * x, y - cut]);

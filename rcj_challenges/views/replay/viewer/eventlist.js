@@ -157,7 +157,7 @@ class EventList {
     const add = (name, value) => facts.append(element("dt", "", name), element("dd", "", value));
     if (event.measured !== null) add("measured", `${event.measured} ${event.unit}`.trim());
     if (event.limit !== null) add("limit", `${event.limit} ${event.unit}`.trim());
-    if (event.rule) add("rule", `${event.rule}${event.copy && ` for ${event.copy}`} (${event.trigger})`);
+    if (event.rule) add("rule", `${event.rule}${event.copy ? ` for ${event.copy}` : ""} (${event.trigger})`);
     for (const [name, value] of event.payload) add(name, value);
     details.append(facts);
     const before = Math.round(LEAD_IN_S / this.recording.tickSeconds);

@@ -12,8 +12,8 @@ const Ground = {
 
   /** The floor itself: grass in stripes, lines of the scenario, goals' floors. */
   field(facts) {
-    const { width_m: width, length_m: length, corner_cut_m: cut, floor_m: floor } = facts.field;
-    const x = width / 2, y = length / 2;
+    const { width_m: width, length_m: length, corner_cut_m: cut } = facts.field;
+    const x = width / 2, y = length / 2, floor = Ground.floor(facts.field);
     const shapes = [];
     const [right, top] = floor, deep = (2 * top) / STRIPES;
     for (let stripe = 0; stripe < STRIPES; stripe++) {
@@ -141,6 +141,9 @@ const Ground = {
     ];
   },
 
+  /** How far the floor reaches along x and y: without walls beyond the field. */
+  floor: (field) => field.floor_m ?? [field.width_m / 2, field.length_m / 2],
+
   goalFloor(field, goal) {
     const side = goal.end === "positive_y" ? 1 : -1;
     const edge = (field.length_m / 2) * side, half = goal.width_m / 2;
@@ -154,12 +157,12 @@ const Ground = {
     const sides = [zone.x_min_m, zone.y_min_m, zone.x_max_m, zone.y_max_m];
     if (zone.shape === "rect" && sides.every((side) => side !== null)) return Ground.rectangle(...sides);
     const whole = Ground.openZone(zone, field);
-    const inside = Ground.within(whole, ...field.floor_m, field.corner_cut_m);
+    const inside = Ground.within(whole, ...Ground.floor(field), field.corner_cut_m);
     return inside.length > 2 ? inside : whole;
   },
 
   openZone(zone, field) {
-    const [x, y] = field.floor_m.map((half) => half + 0.16);
+    const [x, y] = Ground.floor(field).map((half) => half + 0.16);
     if (zone.shape === "half_plane") {
       const [nx, ny] = zone.normal, [px, py] = zone.through_m;
       return Ground.clipped(Ground.rectangle(-x, -y, x, y), nx, ny, nx * px + ny * py);

@@ -62,7 +62,7 @@ class Heat {
     });
     cells.sort((a, b) => a.step - b.step);
     const { field } = this.recording.facts;
-    const furthest = 2 * Math.max(...field.floor_m);
+    const furthest = 2 * Math.max(...Ground.floor(field));
     return cells.map(({ cell: [column, row], step }) => {
       const left = column * HEAT_CELL_M, low = row * HEAT_CELL_M, warm = step / HEAT_STEPS;
       return {
