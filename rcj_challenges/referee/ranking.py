@@ -22,13 +22,16 @@ HalfValues = Mapping[str, Sequence[Number | None]]
 
 def ranking(rank: Sequence[Ranked], teams: Sequence[str], halves: Sequence[HalfValues]) -> list[dict[str, Any]]:
     """Return ``{"place", "team", "values"}`` each, best first; later values break ties, equal teams share a place."""
-    values = {
-        team: [one.of_halves([half[team][at] for half in halves]) for at, one in enumerate(rank)] for team in teams
-    }
+    values = {team: over_halves(rank, team, halves) for team in teams}
     keys = {team: [one.number(value) for one, value in zip(rank, own, strict=True)] for team, own in values.items()}
     places = {team: 1 + sum(keys[other] < keys[team] for other in values) for team in values}  # integers
     best_first = sorted(values, key=keys.__getitem__)
     return [{"place": places[team], "team": team, "values": values[team]} for team in best_first]
+
+
+def over_halves(rank: Sequence[Ranked], team: str, halves: Sequence[HalfValues]) -> list[Number | None]:
+    """Return what counts for a team of the values of the halves."""
+    return [one.of_halves([half[team][at] for half in halves]) for at, one in enumerate(rank)]
 
 
 class RankedValues:

@@ -8,7 +8,7 @@ from typing import Any
 
 from rcj_challenges.core.amounts import measure, measured_words, number_words
 from rcj_challenges.core.play import HalfInfo
-from rcj_challenges.referee.ranking import HalfValues, RankedValues
+from rcj_challenges.referee.ranking import HalfValues, RankedValues, over_halves
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.ranked import counters_in
@@ -57,10 +57,7 @@ class RankingCounters:
         self._state.counters.update(counters)
         self._latest = self._values.read(self._half)
         halves = [*self._over, self._latest]
-        return {
-            team: [one.of_halves([half[team][at] for half in halves]) for at, one in enumerate(self._counted)]
-            for team in self._latest
-        }
+        return {team: over_halves(self._counted, team, halves) for team in self._latest}
 
 
 def counted_line(scenario: Scenario, values: list[Value]) -> str:
