@@ -84,8 +84,7 @@ def test_a_temporary_folder_that_is_not_there_is_no_verdict_on_a_team(team, tmp_
     path = team()
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "nowhere"))
     checked = check_file(path, MATCH, SHORT)
-    assert checked.level == "unchecked"
-    assert f"the temporary folder {tmp_path / 'nowhere'}" in checked.blocked_by
+    assert (checked.level, checked.code) == ("unchecked", "temporary-folder")
 
 
 def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_on_a_team(team, monkeypatch):
