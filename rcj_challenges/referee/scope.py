@@ -276,6 +276,7 @@ class NameScope:
         return name in self.scenario.robots
 
     def is_present(self, name: str) -> bool:
+        """Return whether something is on the field now; what is no entity always is."""
         index = self.roster.index.get(name, len(self.state.present))
         return index >= len(self.state.present) or self.state.present[index]
 

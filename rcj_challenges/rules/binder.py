@@ -120,9 +120,6 @@ class Scope(Protocol):
     def is_robot(self, name: str) -> bool:
         """Return whether a name is that of a robot."""
 
-    def is_present(self, name: str) -> bool:
-        """Return whether something is on the field now; what is no entity always is."""
-
     def targets(self, named: Names | Point) -> tuple[Target, ...]:
         """Return the target of a distance: what a name stands for, or a point."""
 

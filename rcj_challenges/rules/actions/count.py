@@ -1,7 +1,7 @@
 """The action ``count``."""
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated, Literal
+from collections.abc import Callable, Iterable
+from typing import Annotated, Any, Literal
 
 from rcj_challenges.core.amounts import plain, round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Number, Phrases
@@ -10,9 +10,6 @@ from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_COUNTER
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.number import takes_away
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.actions.score import Score
 
 
 class Count(Action):
@@ -73,12 +70,7 @@ expect:
             return round_score(start + bounded(change, start))
 
         def act(firing: Firing) -> None:
-            value = counters[name]
-            if isinstance(value, dict):
-                for member in value if whose is None else whose:
-                    value[member] = changed(value[member], firing)
-            else:
-                counters[name] = changed(value, firing)
+            change_kept(counters, name, whose, lambda value: changed(value, firing))
 
         return act
 
@@ -97,13 +89,16 @@ expect:
 # --- floors and ceilings: how far an action takes a score or a counter ------------------------------------------------
 
 
-def change_bound(model: "Count | Score") -> Callable[[Number, Number], Number]:
+_BOUNDS = {"keeps_at_least": "fall below", "keeps_at_most": "rise above"}
+
+
+def change_bound(model: Action) -> Callable[[Number, Number], Number]:
     """Return a function from an amount and the total before it to the amount that is added.
 
     It goes as far as ``keeps_at_least`` or ``keeps_at_most`` and no further. What lies beyond already stays where it
     is: losing points never raises a score.
     """
-    least, most = model.keeps_at_least, model.keeps_at_most
+    least, most = (getattr(model, key) for key in _BOUNDS)
 
     def change(amount: Number, before: Number) -> Number:
         if least is not None and amount < 0:
@@ -115,8 +110,18 @@ def change_bound(model: "Count | Score") -> Callable[[Number, Number], Number]:
     return change
 
 
-def bounds_words(action: "Count | Score", total: str) -> str:
+def bounds_words(action: Action, total: str) -> str:
     """The change of the total by an action, in words."""
-    ways = (("fall below", action.keeps_at_least), ("rise above", action.keeps_at_most))
+    ways = ((way, getattr(action, key)) for key, way in _BOUNDS.items())
     totals = [f"{way} {number(one)}" for way, one in ways if one is not None]
     return f" (the {total} does not {' or '.join(totals)} by it)" if totals else ""
+
+
+def change_kept(kept: dict[str, Any], name: str, whose: Iterable[str] | None, changed: Callable[[Any], Any]) -> None:
+    """Change a counter or a flag, of several that of some owners; None: of all."""
+    value = kept[name]
+    if isinstance(value, dict):
+        for member in value if whose is None else whose:
+            value[member] = changed(value[member])
+    else:
+        kept[name] = changed(value)

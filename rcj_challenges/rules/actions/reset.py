@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
+from rcj_challenges.rules.actions.count import change_kept
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import Writes
 from rcj_challenges.rules.fields import Names, described
@@ -70,15 +71,12 @@ expect:
                 trackers += [followed[one] for one in self._of(kind, name, followed, to)]
             else:
                 kept: Any = getattr(to.state, f"{kind}s")
-                owners = self._of(kind, name, kept[name], to) if isinstance(kept[name], dict) else ()
+                owners = to.owners(f"{kind}s", name, self.entity)
                 values.append((kept, name, owners, to.state.first[f"{kind}s"][name]))
 
         def act(_firing: Firing) -> None:
             for kept, name, owners, first in values:
-                if owners:
-                    kept[name].update(dict.fromkeys(owners, first))
-                else:
-                    kept[name] = first
+                change_kept(kept, name, owners, lambda _value: first)  # noqa: B023 - called at once
             for tracker in trackers:
                 to.reset(tracker)
 

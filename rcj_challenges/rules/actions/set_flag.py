@@ -2,7 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
+from rcj_challenges.rules.actions.count import change_kept
+from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_FLAG
 
@@ -37,15 +38,7 @@ expect:
         def changed(value: bool) -> bool:
             return not value if new == "opposite" else new
 
-        def act(_firing: Firing) -> None:
-            value = flags[name]
-            if isinstance(value, dict):
-                for member in value if whose is None else whose:
-                    value[member] = changed(value[member])
-            else:
-                flags[name] = changed(value)
-
-        return act
+        return lambda _firing: change_kept(flags, name, whose, changed)
 
     def describe(self, phrases: Phrases) -> str:
         done = {True: "set", False: "cleared", "opposite": "turned over"}[self.to]

@@ -5,10 +5,9 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.phrasing import listed
-from rcj_challenges.rules.values.number import NUMBERS, Amount, NumberValue, amount_words, read_number
+from rcj_challenges.rules.values.number import NUMBERS, Amount, NumberValue, amount_words, read_number, scored
 
 _SEVERAL = NUMBERS.beside(
     {},
@@ -23,13 +22,7 @@ class FoldedValue(NumberValue):
     """One number of several, which passes over none."""
 
     def as_it_is(self, to: Scope) -> Reader:
-        read = self.measure(to)
-
-        def rounded(firing: Firing) -> Number | None:
-            value: Number | None = read(firing)
-            return None if value is None else round_score(value)
-
-        return rounded
+        return scored(self.measure(to))
 
     def measure(self, to: Scope) -> Reader:
         read_all = self._read_all(to)

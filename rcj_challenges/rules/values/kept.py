@@ -37,12 +37,8 @@ class KeptValue(NumberValue):
         return str(getattr(self, self.KEY))
 
     def whose(self, to: Scope) -> str | None:
-        """Return whose it is; None: of all of them, or of none.
-
-        Raises:
-            ValueError: several are named; such a scenario is refused when it is loaded.
-        """
-        owners = to.owners(self.IN, self.kept, self.one_entity())
+        """Return whose it is; None: of all of them, or of none."""
+        owners = to.owners(self.IN, self.kept, self.entity)
         return None if owners is None else owners[0]
 
     def members(self, to: Scope, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
@@ -54,13 +50,6 @@ class KeptValue(NumberValue):
 
     def named(self) -> Names:
         return self.entity or ()
-
-    def one_entity(self) -> str | None:
-        """Return the entity that is named."""
-        if isinstance(self.entity, tuple):
-            message = "several entities need highest, lowest or sum"
-            raise ValueError(message)  # noqa: TRY004 - refused when the scenario is loaded
-        return self.entity
 
     def describe_each(self, phrases: Phrases) -> str:
         owners = self.entity or phrases.keepers(self.KEY, self.kept) or ()

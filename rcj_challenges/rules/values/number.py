@@ -241,8 +241,11 @@ class Term(NamedTuple):
 def compile_amount(amount: Amount, to: Scope) -> Reader:
     """Return a function that reads a number with the digits of a score; None: there is none."""
     read = read_number(amount, to)
-    if not isinstance(amount, NumberValue):
-        return read
+    return scored(read) if isinstance(amount, NumberValue) else read
+
+
+def scored(read: Reader) -> Reader:
+    """Return a function that rounds what is read to the digits of a score."""
 
     def rounded(firing: Firing) -> Number | None:
         value: Number | None = read(firing)
