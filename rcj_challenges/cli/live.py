@@ -73,7 +73,7 @@ def shown_live(
     The port is one of loopback: 0 takes a free one, None shows nothing. The speed is simulated over wall time.
 
     Raises:
-        PortTakenError: the port is in use.
+        RcjError: the port is in use.
     """
     if port is None:
         yield None

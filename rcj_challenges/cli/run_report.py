@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.stdio import as_host_error, output_error, print_json, print_lines, shell_quoted, shown_path
 from rcj_challenges.core.errors import HostError, interruption_behind
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import TICK_S
 
@@ -135,10 +136,9 @@ def score_lines(scenario: Scenario, result: dict[str, Any]) -> list[str]:
 
 def _fault_lines(faults: Sequence[dict[str, Any]]) -> list[str]:
     """One line for robots that failed alike at the same tick, whichever half it was: mostly all six do."""
-    alike: dict[tuple[str, int, str], dict[str, None]] = {}
-    for fault in faults:
-        alike.setdefault((fault["kind"], fault["tick"], fault["detail"]), {})[fault["robot"]] = None
+    alike = grouped(((fault["kind"], fault["tick"], fault["detail"]), fault["robot"]) for fault in faults)
     return [
-        f"program fault: {', '.join(robots)} {kind} at tick {tick}: {sanitize(detail)} (logs/{next(iter(robots))}.log)"
+        f"program fault: {', '.join(dict.fromkeys(robots))} {kind} at tick {tick}: {sanitize(detail)} "
+        f"(logs/{robots[0]}.log)"
         for (kind, tick, detail), robots in alike.items()
     ]

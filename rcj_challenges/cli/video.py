@@ -13,6 +13,7 @@ from rcj_challenges.cli.app import WATCH, app
 from rcj_challenges.cli.codes import BAD_FPS, BAD_OUT, BAD_SPEED
 from rcj_challenges.cli.options import Quiet, Run
 from rcj_challenges.cli.stdio import print_lines
+from rcj_challenges.core.errors import RcjError
 
 if TYPE_CHECKING:
     from rcj_challenges.views.video.footage import Footage
@@ -57,7 +58,7 @@ def video(
     from fractions import Fraction
 
     from rcj_challenges.cli.output_paths import refuse_devices
-    from rcj_challenges.views.video.errors import VideoError, require_packages
+    from rcj_challenges.views.video.packages import require_packages
 
     refuse_devices(out=out)
     require_packages("av", "PIL")
@@ -68,10 +69,10 @@ def video(
 
     size_px = make.parse_size(size, even=True)
     if not 1 <= fps <= MAX_FPS:
-        raise VideoError(BAD_FPS, f"--fps {fps:g}: a second of video has 1 to {MAX_FPS} pictures")
+        raise RcjError(f"--fps {fps:g}: a second of video has 1 to {MAX_FPS} pictures", code=BAD_FPS)
     rate = Fraction(str(fps)).limit_denominator(1001)
     if not MIN_SPEED <= speed <= MAX_SPEED:
-        raise VideoError(BAD_SPEED, f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}")
+        raise RcjError(f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}", code=BAD_SPEED)
     start_s, stop_s = (None if text is None else clips.parse_seconds(text) for text in (from_, to))
     folder, footage = open_footage(run, runs)
     shown = clips.clips_between(footage, start_s, stop_s, half)
@@ -117,15 +118,13 @@ def output_file(wanted: Path | None, default: Path) -> Path:
     """Where the file goes: as wanted, else to the default.
 
     Raises:
-        VideoError: it is a folder, its folder is missing, or its name has another ending.
+        RcjError: it is a folder, its folder is missing, or its name has another ending.
     """
-    from rcj_challenges.views.video.errors import VideoError
-
     out = wanted or default
     if out.is_dir():
-        raise VideoError(BAD_OUT, f"--out {out} is a folder", f"give a file, such as {out / default.name}")
+        raise RcjError(f"--out {out} is a folder", f"give a file, such as {out / default.name}", code=BAD_OUT)
     if out.suffix.lower() != default.suffix:
-        raise VideoError(BAD_OUT, f"--out {out}: the name must end in {default.suffix}", f"--out {default.name}")
+        raise RcjError(f"--out {out}: the name must end in {default.suffix}", f"--out {default.name}", code=BAD_OUT)
     if not out.parent.is_dir():
-        raise VideoError(BAD_OUT, f"--out {out}: there is no folder {out.parent}", "make it first, or leave it out")
+        raise RcjError(f"--out {out}: there is no folder {out.parent}", "make it first, or leave it out", code=BAD_OUT)
     return out

@@ -7,9 +7,8 @@ import pytest
 from PIL import Image
 
 from rcj_challenges.cli.commands import app
-from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.views.video import errors, make
+from rcj_challenges.views.video import make, packages
 from tests.made_up_runs import write_made_up_run
 
 
@@ -82,9 +81,9 @@ def test_highlights_and_snapshots_go_into_the_record_by_default(runs, capsys):
 )
 def test_wrong_input_exits_with_2_and_writes_nothing(runs, arguments, code, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(DiagnosticError) as error:
+    with pytest.raises(RcjError) as error:
         run(*arguments, "--runs", runs)
-    assert error.value.diagnostics[0].code == code
+    assert error.value.code == code
     assert error.value.exit_code == 2
     assert list(tmp_path.iterdir()) == []
 
@@ -102,8 +101,8 @@ def test_sizes_have_names_and_snapshots_may_be_odd():
 
 @pytest.mark.parametrize("arguments", [("video",), ("snapshot", "--at", "3")])
 def test_missing_extra_exits_with_2(runs, arguments, monkeypatch):
-    monkeypatch.setattr(errors, "find_spec", lambda _: None)
-    with pytest.raises(DiagnosticError) as error:
+    monkeypatch.setattr(packages, "find_spec", lambda _: None)
+    with pytest.raises(RcjError) as error:
         run(*arguments, "--runs", runs)
-    assert error.value.diagnostics[0].code == "missing-extra"
+    assert error.value.code == "missing-extra"
     assert error.value.exit_code == 2

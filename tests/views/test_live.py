@@ -16,9 +16,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.changes import ScoreChange
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.play import Firing, Placement, RefereeOutput
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace, PortTakenError
+from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace
 from rcj_challenges.views.live.encoder import LiveObserver
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.server import MAX_CONNECTIONS, apply_command
@@ -213,9 +214,9 @@ def test_the_65th_connection_is_refused_and_the_first_goes_on(show: LiveShow, as
 
 
 def test_a_taken_port_is_reported_with_help(show: LiveShow) -> None:
-    with pytest.raises(PortTakenError) as error:
+    with pytest.raises(RcjError) as error:
         LiveShow(SCENARIO, {}, 1, port=show.port)
-    assert error.value.diagnostics[0].code == "port-taken"
+    assert error.value.code == "port-taken"
     assert error.value.exit_code == 2
 
 

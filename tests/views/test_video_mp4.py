@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rcj_challenges.views.video.errors import VideoError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.views.video.mp4 import opened_mp4
 
 SIZE, FPS = (320, 180), Fraction(25)
@@ -45,6 +45,6 @@ def test_failed_video_leaves_nothing_and_keeps_the_old_one(tmp_path, error, fram
 
 
 def test_video_in_a_missing_folder_is_refused(tmp_path):
-    with pytest.raises(VideoError) as error:
+    with pytest.raises(RcjError) as error:
         write(tmp_path / "nowhere" / "v.mp4", 1)
-    assert error.value.diagnostics[0].code == "cannot-write"
+    assert error.value.code == "cannot-write"

@@ -6,7 +6,7 @@ from functools import cache
 from types import ModuleType
 
 from rcj_challenges.core.codes import MISSING_EXTRA
-from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import RcjError
 
 ZOOM = 2.0
 """Pixels for each unit of the drawing: sharp on paper and on dense screens."""
@@ -20,17 +20,11 @@ FAMILIES = (
 _WORD = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20"><text y="18" font-family="{}">M</text></svg>'
 
 
-class PngMissingError(DiagnosticError):
-    """The package that renders PNG is not installed."""
-
-    CODE = MISSING_EXTRA
-
-
 def png_from_svg(picture: str) -> bytes:
     """Return a drawing as PNG; where no font is found (`written_with`) it has no words.
 
     Raises:
-        PngMissingError: the extra is not installed.
+        RcjError: the extra is not installed.
     """
     to_bytes, family = _renderer().svg_to_bytes, written_with()
     return bytes(to_bytes(svg_string=picture, zoom=ZOOM, background="#ffffff", sans_serif_family=family))
@@ -41,7 +35,7 @@ def written_with() -> str | None:
     """Return the font of the words in a PNG; None if there is none, and so no words.
 
     Raises:
-        PngMissingError: the extra is not installed.
+        RcjError: the extra is not installed.
     """
     renderer = _renderer()
     nothing = bytes(renderer.svg_to_bytes(svg_string=_WORD.replace("M", "")))
@@ -54,5 +48,5 @@ def _renderer() -> ModuleType:
         import resvg_py  # noqa: PLC0415 - an extra: most people never need it
     except ImportError as error:
         how = 'pip install "rcj-challenges[png]"; SVG needs none: --out field.svg'
-        raise PngMissingError(Diagnostic(MISSING_EXTRA, "PNG needs an optional package", how)) from error
+        raise RcjError("PNG needs an optional package", how, code=MISSING_EXTRA) from error
     return resvg_py

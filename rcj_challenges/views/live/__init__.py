@@ -4,6 +4,6 @@ Belongs here: the feed, the server, and the pace of the match. Does not belong h
 """
 
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
-from rcj_challenges.views.live.show import LiveShow, PortTakenError
+from rcj_challenges.views.live.show import LiveShow
 
-__all__ = ["MAX_SPEED", "LiveShow", "Pace", "PortTakenError"]
+__all__ = ["MAX_SPEED", "LiveShow", "Pace"]

@@ -10,7 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, Self
 
-from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.records.logos import LogoError
@@ -28,12 +28,6 @@ _FLUSH_EVERY_S = 0.1
 _BEAT_S = 0.5
 _ACCEPT_EVERY_S = 0.05
 """How long the end of the server may take; connections are accepted at once."""
-
-
-class PortTakenError(DiagnosticError):
-    """The port cannot be listened on."""
-
-    CODE = PORT_TAKEN
 
 
 class LiveShow:
@@ -58,7 +52,7 @@ class LiveShow:
         """Open the port (0: a free one) and serve the page; titles and logos are by the seats of the first half.
 
         Raises:
-            PortTakenError: the port is in use or not allowed.
+            RcjError: the port is in use or not allowed.
         """
         self._scenario = scenario
         self._feed = Feed()
@@ -73,7 +67,7 @@ class LiveShow:
         try:
             self._server = SpectatorServer(port, self._served)
         except OSError as error:
-            raise PortTakenError(_port_error(port, error)) from error
+            raise _port_error(port, error) from error
         self.port = self._server.port
         self._ended = threading.Event()
         self._threads = [
@@ -148,9 +142,8 @@ def _add_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple[
     return missing
 
 
-def _port_error(port: int, error: OSError) -> Diagnostic:
+def _port_error(port: int, error: OSError) -> RcjError:
     taken = error.errno == errno.EADDRINUSE
     what = "is in use already" if taken else f"cannot be listened on: {error.strerror}"
-    return Diagnostic(
-        PORT_TAKEN, f"--live: port {port} {what}", "take another port, or leave it out: a free one is found"
-    )
+    help_ = "take another port, or leave it out: a free one is found"
+    return RcjError(f"--live: port {port} {what}", help_, code=PORT_TAKEN)

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.codes import UNKNOWN_CAMERA
 from rcj_challenges.views.video.clips import Moment
-from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.footage import Footage
 
 FOV_RAD = 0.5
@@ -53,7 +53,7 @@ class Camera:
         """Return the camera with a name, such as ``top`` or ``behind:Y1``.
 
         Raises:
-            VideoError: there is no such camera, robot or ball.
+            RcjError: there is no such camera, robot or ball.
         """
         if name == "follow-ball" and roster.balls:
             return cls(name, roster.robots)
@@ -65,8 +65,8 @@ class Camera:
         cameras = (*_STILL, *(["follow-ball"] if roster.balls else []), *behind)
         near = nearest_name(name, cameras)
         guess = "" if near is None else f"did you mean {near!r}? "
-        raise VideoError(
-            UNKNOWN_CAMERA, f"--camera {name[:60]!r} is unknown", f"{guess}There are: {', '.join(cameras)}"
+        raise RcjError(
+            f"--camera {name[:60]!r} is unknown", f"{guess}There are: {', '.join(cameras)}", code=UNKNOWN_CAMERA
         )
 
     def view(self, footage: Footage, moment: Moment, aspect: float) -> View:

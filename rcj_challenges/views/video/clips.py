@@ -7,10 +7,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.views.codes import BAD_TIME, EMPTY_CLIP, NO_HIGHLIGHTS, NO_SUCH_HALF, TIME_NOT_PLAYED
 from rcj_challenges.views.sentences import clock
-from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.footage import Footage, HalfFootage
 
 BEFORE_GOAL_S = 6.0
@@ -42,14 +42,14 @@ def parse_seconds(text: str) -> float:
     """Parse ``113.9`` or ``1:53.9`` as seconds.
 
     Raises:
-        VideoError: it is neither.
+        RcjError: it is neither.
     """
     match = _TIME.fullmatch(text.strip())
     if match is None or (match[1] is not None and float(match[2]) >= 60):
-        raise VideoError(
-            BAD_TIME,
+        raise RcjError(
             f"{text[:40]!r} is not a time",
             "write seconds, such as 113.9, or minutes and seconds, such as 1:53.9",
+            code=BAD_TIME,
         )
     return int(match[1] or 0) * 60 + float(match[2])
 
@@ -60,7 +60,7 @@ def moment_at(footage: Footage, at_s: float, half: int | None) -> Moment:
     The end of a half is reached from it: with two halves of 600 s, second 600 is the end of the first half.
 
     Raises:
-        VideoError: the time was not played, or there is no such half.
+        RcjError: the time was not played, or there is no such half.
     """
     halves = _chosen(footage, half)
     begin_s = 0.0
@@ -75,7 +75,7 @@ def clips_between(footage: Footage, from_s: float | None, to_s: float | None, ha
     """Return the clips, one for each half, between two times; None is the beginning, or the end.
 
     Raises:
-        VideoError: a time was not played, the times are in the wrong order, or there is no such half.
+        RcjError: a time was not played, the times are in the wrong order, or there is no such half.
     """
     halves = _chosen(footage, half)
     end_s = sum(one.length_s for one in halves)
@@ -84,7 +84,7 @@ def clips_between(footage: Footage, from_s: float | None, to_s: float | None, ha
         if time_s > end_s + 1e-9:
             raise _beyond(option, time_s, halves)
     if stop_s - start_s < TICK_S - 1e-9:
-        raise VideoError(EMPTY_CLIP, f"--from {start_s:g} must be before --to {stop_s:g} by at least {TICK_S} s")
+        raise RcjError(f"--from {start_s:g} must be before --to {stop_s:g} by at least {TICK_S} s", code=EMPTY_CLIP)
     clips = []
     begin_s = 0.0
     for one in halves:
@@ -99,7 +99,7 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
     """Return the 6 s before and the second after each change of the score within the clips; overlaps are joined.
 
     Raises:
-        VideoError: the score does not change in these clips.
+        RcjError: the score does not change in these clips.
     """
     found: list[Clip] = []
     for clip in clips:
@@ -112,7 +112,9 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
                 new = replace(new, from_s=found.pop().from_s)
             found.append(new)
     if not found:
-        raise VideoError(NO_HIGHLIGHTS, "the score does not change in this part of the run", "leave --highlights out")
+        raise RcjError(
+            "the score does not change in this part of the run", "leave --highlights out", code=NO_HIGHLIGHTS
+        )
     return found
 
 
@@ -139,15 +141,15 @@ def _chosen(footage: Footage, half: int | None) -> list[HalfFootage]:
     if not found:
         halves = " and ".join(str(one.info.half) for one in footage.halves)
         period = footage.scenario.match.period
-        raise VideoError(NO_SUCH_HALF, f"--half {half}: this run has {period} {halves}")
+        raise RcjError(f"--half {half}: this run has {period} {halves}", code=NO_SUCH_HALF)
     return found
 
 
-def _beyond(option: str, time_s: float, halves: list[HalfFootage]) -> VideoError:
+def _beyond(option: str, time_s: float, halves: list[HalfFootage]) -> RcjError:
     parts = " + ".join(f"{one.length_s:g} s of half {one.info.half}" for one in halves)
     total_s = sum(one.length_s for one in halves)
-    return VideoError(
-        TIME_NOT_PLAYED,
+    return RcjError(
         f"{option} {time_s:g} is after the end of the recording: {parts} ({clock(total_s)})",
         "times count over all halves; with --half N they count from the beginning of that half",
+        code=TIME_NOT_PLAYED,
     )

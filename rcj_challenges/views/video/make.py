@@ -10,13 +10,13 @@ from pathlib import Path
 
 from PIL import Image
 
+from rcj_challenges.core.errors import RcjError, unwritable
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.views.codes import BAD_SIZE
 from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Clip, Moment, frame_count, moments
-from rcj_challenges.views.video.errors import VideoError, cannot_write
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.opengl import offscreen_opengl
 from rcj_challenges.views.video.overlay import Overlay
@@ -32,7 +32,7 @@ def parse_size(text: str, *, even: bool) -> tuple[int, int]:
     """Parse ``1280x720`` or ``720p`` as pixels; an MP4 needs an even width and height.
 
     Raises:
-        VideoError: it is not a size, or one that is too small, too large or odd.
+        RcjError: it is not a size, or one that is too small, too large or odd.
     """
     name = text.strip().lower()
     if name in _NAMED_SIZES:
@@ -40,13 +40,13 @@ def parse_size(text: str, *, even: bool) -> tuple[int, int]:
     match = re.fullmatch(r"(\d{1,6})x(\d{1,6})", name, re.ASCII)
     if match is None:
         known = ", ".join(_NAMED_SIZES)
-        raise VideoError(BAD_SIZE, f"--size {text[:40]!r}", f"write WIDTHxHEIGHT, such as 1280x720, or {known}")
+        raise RcjError(f"--size {text[:40]!r}", f"write WIDTHxHEIGHT, such as 1280x720, or {known}", code=BAD_SIZE)
     size = (int(match[1]), int(match[2]))
     if not all(MIN_PX <= pixels <= MAX_PX for pixels in size):
-        raise VideoError(BAD_SIZE, f"--size {text[:40]}: width and height must be {MIN_PX} to {MAX_PX} pixels")
+        raise RcjError(f"--size {text[:40]}: width and height must be {MIN_PX} to {MAX_PX} pixels", code=BAD_SIZE)
     if even and (size[0] % 2 or size[1] % 2):
         near = f"{size[0] + size[0] % 2}x{size[1] + size[1] % 2}"
-        raise VideoError(BAD_SIZE, f"--size {text[:40]}: an MP4 needs an even width and height", f"try {near}")
+        raise RcjError(f"--size {text[:40]}: an MP4 needs an even width and height", f"try {near}", code=BAD_SIZE)
     return size
 
 
@@ -55,7 +55,7 @@ def opened_renderer(footage: Footage, size: tuple[int, int], camera: str, *, fin
     """Open what draws moments of a size, with scoreboard and captions; smooth edges take several times as long.
 
     Raises:
-        VideoError: the camera is unknown, or this computer has no OpenGL.
+        RcjError: the camera is unknown, or this computer has no OpenGL.
     """
     chosen, overlay = Camera.parse(camera, footage.roster), Overlay(footage, size)
     with offscreen_opengl():
@@ -81,14 +81,14 @@ def write_snapshot(draw: Draw, moment: Moment, path: Path) -> None:
     """Write the picture of a moment as PNG.
 
     Raises:
-        VideoError: it cannot be written.
+        RcjError: it cannot be written.
     """
     picture = draw(moment)
     try:
         with replaced(path) as file:
             picture.save(file, "PNG")
     except OSError as error:
-        raise cannot_write(path, error) from error
+        raise unwritable(path, error) from error
 
 
 def write_video(
@@ -108,7 +108,7 @@ def write_video(
     in a second of video; ``progress`` is called with (frames done, frames in total) after each frame.
 
     Raises:
-        VideoError: the file cannot be written.
+        RcjError: the file cannot be written.
     """
     from rcj_challenges.views.video.mp4 import opened_mp4  # noqa: PLC0415 - a snapshot needs no av
 

@@ -12,8 +12,8 @@ import av
 import numpy as np
 from PIL import Image
 
+from rcj_challenges.core.errors import unwritable
 from rcj_challenges.records.folder import when_free
-from rcj_challenges.views.video.errors import cannot_write
 
 _OPTIONS = {"preset": "veryfast", "crf": "20"}
 """CRF 20 looks like the original; "veryfast" takes a third of the default's time for 10 % more bytes."""
@@ -26,7 +26,7 @@ def opened_mp4(path: Path, size: tuple[int, int], fps: Fraction, title: str) -> 
     It yields a function that adds an RGB picture; x264 compresses it in threads of its own.
 
     Raises:
-        VideoError: it cannot be written.
+        RcjError: it cannot be written.
     """
     temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
     frames = 0
@@ -49,7 +49,7 @@ def opened_mp4(path: Path, size: tuple[int, int], fps: Fraction, title: str) -> 
             container.mux(stream.encode())
         when_free(lambda: temporary.replace(path))
     except OSError as error:
-        raise cannot_write(path, error) from error
+        raise unwritable(path, error) from error
     finally:
         with suppress(OSError):
             temporary.unlink()

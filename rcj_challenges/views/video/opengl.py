@@ -7,8 +7,8 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.views.codes import NO_OPENGL
-from rcj_challenges.views.video.errors import VideoError
 
 _OPENING_ERRORS = (ImportError, AttributeError, RuntimeError, OSError)
 """What PyOpenGL and MuJoCo raise where a library or a device is missing."""
@@ -21,7 +21,7 @@ def offscreen_opengl() -> Iterator[None]:
     MuJoCo reads the variable when it is imported, so its first import has to be inside, too.
 
     Raises:
-        VideoError: the renderer cannot be opened.
+        RcjError: the renderer cannot be opened.
     """
     on_linux = sys.platform.startswith("linux")
     if on_linux:
@@ -30,8 +30,8 @@ def offscreen_opengl() -> Iterator[None]:
         yield
     except _OPENING_ERRORS as error:
         install = "apt install libegl1 libgl1-mesa-dri (Debian, Ubuntu)" if on_linux else "install an OpenGL driver"
-        raise VideoError(
-            NO_OPENGL,
+        raise RcjError(
             f"MuJoCo cannot draw on this computer: {type(error).__name__}: {error}",
             f"{install}; or watch the match in a browser, which needs no OpenGL: rcj-challenge view RUN",
+            code=NO_OPENGL,
         ) from error
