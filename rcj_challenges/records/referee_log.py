@@ -224,10 +224,10 @@ def _number_or_none(value: Any) -> float | None:
     return value
 
 
-def _counter(value: Any) -> Score | dict[str, Score]:
+def _counter(value: Any) -> Score | dict[str, Score | None] | None:
     if isinstance(value, dict):
-        return _points(value)
-    return _number_or_none(value) or 0
+        return {entity: _number_or_none(number) for entity, number in value.items()}
+    return _number_or_none(value)
 
 
 def _points(value: Any) -> dict[str, Score]:

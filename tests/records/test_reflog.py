@@ -70,7 +70,7 @@ def test_what_is_written_to_the_referees_log_is_read_back(tmp_path: Path) -> Non
     changes = (
         PhaseChange(1, "pause", waiting_for_kickoff=True),
         ScoreChange(1, {"blue": 0.5, "yellow": 0}),
-        CountersChange(1, {"laps": {"B1": 2}, "best_s": 9.5}),
+        CountersChange(1, {"laps": {"B1": 2, "Y1": None}, "best_s": 9.5, "jump_m": None}),
         HeldChange(1, ("B1",)),
     )
     writer.tick(
