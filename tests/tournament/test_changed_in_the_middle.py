@@ -147,6 +147,18 @@ def test_a_file_of_the_data_that_is_damaged_is_named(tmp_path):
     assert code_of(error) == "data-file-missing"
 
 
+def test_a_scenario_of_version_1_in_the_data_is_read(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    _, executor = home.play()
+    path = home.data / "scenarios" / f"{executor.jobs[0].scenario}.json"
+    scenario = json.loads(path.read_bytes())
+    rank = [{"score": "descending"}, {"time": "ascending"}]
+    path.write_text(json.dumps({**scenario, "schema_version": 1, "result": {"rank": rank}}), encoding="utf-8")
+    with home.opened(writing=False) as tournament:
+        loaded = tournament.store.place.load_scenario(executor.jobs[0].scenario)
+    assert [one.better for one in loaded.scenario.result.rank] == ["more", "less"]
+
+
 def test_teams_with_one_name_are_distinguished_and_hostile_names_are_escaped(tmp_path):
     home = Home(tmp_path, GROUP_ONLY, teams=())
     for team, name in {"ada": "Robo", "bee": "ROBO", "cid": "\u202egnp\u202c \x1b[2J🤖", "dee": "מתמטיקה"}.items():
