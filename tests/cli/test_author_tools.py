@@ -292,7 +292,7 @@ class TestDraw:
     def test_without_the_extra_the_message_names_what_to_install(self, tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, "resvg_py", None)
         done = call("draw", "match", "--out", tmp_path / "field.png")
-        assert 'pip install "rcj-challenges[png]"' in str(done.exception)
+        assert 'pip install "rcj-challenges[png]"' in done.exception.help
         assert not (tmp_path / "field.png").exists()
 
 
