@@ -126,7 +126,8 @@ class Compared(Valued, Condition):
     def describe(self, phrases: Phrases) -> str:
         """Return the comparison as the part of a sentence that follows ``if``."""
         value = self.value
-        if not value.is_computed() and (clause := value.clause(phrases)):
+        clause = None if value.is_computed() else value.clause(phrases)
+        if clause and not (clause.unit and self.compares_with_counter() and _is_of_one(phrases, clause)):
             return self._describe_clause(phrases, clause)
         if not value.is_computed() and (words := value.describe_compared(phrases, self)):
             return words
@@ -192,6 +193,10 @@ def _comparison(
         return other is not None and operate(value if digits is None else round(value, digits), other)
 
     return compare
+
+
+def _is_of_one(phrases: Phrases, clause: Clause) -> bool:
+    return isinstance(clause.names, str) and not phrases.is_several(clause.names)
 
 
 def comparison_of(value: type[NumberValue]) -> type[Compared]:

@@ -174,6 +174,10 @@ def test_a_limit_must_be_one(limit):
                 "the counter “limit” says while that lasts"
             ),
         ),
+        (
+            "holds, conditions: [{distance: [Y1, ball], below: {lowest: [{counter: limit}, 0.3]}}]",
+            "When the distance between Y1 and the ball in m is less than the lowest of the counter “limit” and 0.3",
+        ),
         ("time_reached, at_s: {draw: rest}", "When the half has lasted 5 s or 8 s, as “rest” is drawn"),
     ],
 )

@@ -342,6 +342,24 @@ def test_what_cannot_be_is_refused(text, code):
 
 
 @pytest.mark.parametrize(
+    ("rule", "message", "help_"),
+    [
+        ("for_each: entrants, triggers: [{trigger: half_started}], actions: [{action: assign, role: r, to: others}]", "'blue'", "Y1, B1"),
+        ("triggers: [{trigger: half_started}], actions: [{action: assign, role: r, to: Y2}]", "role 'r'", "Y1, B1"),
+        ("triggers: [{trigger: touches, entity: s, other: ball}], actions: [{action: end}]", "'s'", "for_each: entrants, a condition {role: s, equals: each}"),
+        ("for_each: t, triggers: [{trigger: half_started}], actions: [{action: end}]", "'t'", "for_each: yellow, a condition {role: t, equals: each}"),
+    ],
+)  # fmt: skip
+def test_refusals_name_the_role_and_a_way_out(rule, message, help_):
+    roles = "roles: {r: {of: [Y1, B1]}, s: {of: entrants}, t: {of: yellow}}"
+    with pytest.raises(ScenarioError) as refused:
+        load_text(f"{HEAD}{roles}\nrules: {{x: {{{rule}}}}}")
+    (problem,) = refused.value.diagnostics
+    assert message in problem.message
+    assert help_ in problem.help
+
+
+@pytest.mark.parametrize(
     ("role", "is_assigned", "codes"),
     [
         ("order: listed", False, ["never-written"]),

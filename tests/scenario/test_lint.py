@@ -165,6 +165,8 @@ CASES = [
      ("counters: {n: {}}", TOLD.replace("It is so.", "'{n} so.', sheet: 'After {n}.'"))),
     ("unknown-placeholder", ("description: 'After {at_s} s'", EMPTY),
      ("description: 'Told as {\"light\": 1}'", EMPTY)),
+    ("placeholder-of-two", ("params: {n: 3}\ncounters: {n: {}}", TOLD.replace("It is so.", "'{n} so.'") + rule("a", "{trigger: half_started}", "{action: count, counter: n}")),
+     ("params: {n: 3}\ncounters: {m: {}}", TOLD.replace("It is so.", "'{n} of {m}.'") + rule("a", "{trigger: half_started}", "{action: count, counter: m}"))),
     ("placeholder-never-filled", (EMPTY, TOLD.replace("It is so.", "'{each} is so.'")),
      (EMPTY, TOLD.replace("It is so.", "'{team} is so.'"))),
     ("off-the-field", ("zones: {here: {shape: circle, centre_m: [3, 0], radius_m: 0.1}}", rule("a", "{trigger: enters, entity: ball, zone: here}")),

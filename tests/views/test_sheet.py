@@ -10,7 +10,7 @@ import pytest
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 from rcj_challenges.views.sheet.page import sheet_of
-from tests.views.sheets import HEAD, section, sheet
+from tests.views.sheets import HEAD, section, sentence, sheet
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = sorted((ROOT / "scenarios").rglob("*.yaml"))
@@ -187,6 +187,14 @@ def test_points_of_rules_that_say_the_same_are_one_row_with_whose_they_are():
     )
     assert "| A gift. | 7 |" in sheet(f"rules: {{{same}}}\n")
     assert "| A gift. | 7 for blue; 9 for yellow |" in sheet(f"rules: {{{other}}}\n")
+    counted = gives.format(
+        "{param: this}", "{flag: bold, entity: {param: this}, plus: 1}", IT="repeat_for: teams, " + IT
+    )
+    calculated = sheet(
+        f"tables: {{teams: {{blue: {{}}, yellow: {{}}}}}}\nflags: {{bold: {{per: entrants}}}}\nrules: {{a: {{{counted}}}}}\n"
+    )
+    plus = "1, plus 1 if the flag “bold” of"
+    assert f"| A gift. | blue: {plus} blue is set; yellow: {plus} yellow is set |" in calculated
     alone = sheet(f"entrants: {{yellow: null}}\nrules: {{a: {{{rules[0]}}}}}\n")
     assert "| A gift. | 7 |" in alone
 
@@ -249,6 +257,12 @@ def test_a_role_that_begins_with_nothing_may_be_left_to_chance():
         "running."
     )
     assert "chance" not in section(sheet(role.format("listed") + RULE), "Course")
+
+
+def test_a_timer_of_each_is_its_own():
+    more = "timers: {run: {per: entrants}}\ncounters: {run_s: {per: entrants}}"
+    counts = "for_each: entrants, triggers: [{trigger: half_ended}], actions: [{action: count, counter: run_s, to: {timer: run}}]"
+    assert sentence(f"{counts}, says: T.", more).endswith("is set to the time in s that its timer “run” has run.")
 
 
 def test_a_counter_that_keeps_the_best_is_explained():

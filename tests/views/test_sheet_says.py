@@ -93,6 +93,12 @@ def test_the_sheet_has_a_sentence_of_its_own_where_what_is_so_is_not_what_has_ha
     )  # fmt: skip
 
 
+def test_a_role_of_other_things_than_robots_is_named_with_its_kind():
+    rule = f"triggers: [{{trigger: half_started}}], {END}, says: '{{delivered}} waits for {{thrower}}'"
+    roles = "roles: {delivered: {of: [ball]}, thrower: {of: robots}}"
+    assert spoken(rule, roles) == "The ball “delivered” waits for the thrower."
+
+
 def test_copies_of_a_rule_say_the_same_in_general_words():
     text = """
 tables:

@@ -66,7 +66,7 @@ expect:
     def _longest(self, phrases: Phrases) -> str:
         """Return the timer; of those of several the one that has run longest."""
         owners = None if self.entity else phrases.owners("timer", self.timer)
-        if owners is None:
+        if owners is None or phrases.one_of_owners("timer", self.timer) == "each":
             return self.kept_words(phrases)
         return f"the longest running timer {quoted(self.timer)} of {phrases.all_of(owners).text}"
 

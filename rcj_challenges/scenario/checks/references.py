@@ -171,7 +171,11 @@ class _Walker:
             return None if set(members) <= set(self.roster.teams) else self._receiver(name, Scope(members))
         is_of_entrants = bool(set(members) & set(self.roster.teams)) and "entrant" not in reference.kinds
         if not reference.takes_roles or is_of_entrants:
-            return codes.WRONG_KIND, f"'{name}' is a role; expected {_with_a(reference.noun)}", ""
+            group = next(iter(texts(node_at(self.root, ("roles", name, "of")))), "")
+            group = ENTRANTS if is_of_entrants else group if group in self.roster.groups else "GROUP"
+            condition = f"{{role: {name}, equals: each}}"
+            help_ = f"write for_each: {group}, a condition {condition}, and 'each' for the one that has it"
+            return codes.WRONG_KIND, f"'{name}' is a role; expected {_with_a(reference.noun)}", help_
         return self._wrong_kind(reference, name, members)
 
     def _is_bound(self, name: str) -> bool:
@@ -280,20 +284,23 @@ class _Walker:
         name = str(value.value) if isinstance(value, Leaf) else ""
         members = tuple(self.roster.teams) if scope.group == ENTRANTS and name != OTHER else scope.of(name)
         is_opponent = name == OTHERS and scope.group == ENTRANTS and len(self.roster.teams) == 2
+        what = next((f"can never have the role '{one}'" for one in texts(role)), "is never drawn")
         if name in known or not (name in BOUND or is_opponent):
-            self._among(known, value, at)
+            self._among(known, value, at, what)
         elif members is None:
             self.add(codes.UNBOUND_NAME, at, _unknown_bound(name))
         # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
         elif known and not (all if is_set else any)(one in known for one in members):
-            message = f"'{name}' stands for what is never drawn"
+            stranger = next(one for one in members if one not in known)
+            message = f"'{name}' stands for '{stranger}', which {what}"
             self.add(codes.NEVER_DRAWN, at, message, choice_of("", (cut(spelled(one)) for one in known)))
 
     def _decided_by_test(self, test: Entries, path: Path) -> None:
         """Check the values of draws that a test decides: one, or several in order."""
         for at, block in ((path, test), ((*path, "given"), test.entries.get("given"))):
             for name, value in _entries(child(block, "roles")):
-                self._among([*self.roster.roles.get(name, ()), "none"], value, (*at, "roles", name))
+                members = [*self.roster.roles.get(name, ()), "none"]
+                self._among(members, value, (*at, "roles", name), f"can never have the role '{name}'")
         for name, value in _entries(test.entries.get("draws")):
             known = [one.value for _, one in self._values_of(Leaf(name, value.mark))]
             at = (*path, "draws", name)
@@ -301,13 +308,12 @@ class _Walker:
                 self._among(known, one, (*at, index))
             self._among(known, value, at)
 
-    def _among(self, known: list[Any], value: Node | None, path: Path) -> None:
+    def _among(self, known: list[Any], value: Node | None, path: Path, what: str = "is never drawn") -> None:
         if not known or not isinstance(value, Leaf) or value.value is None:
             return
         if not any(type(value.value) is type(one) and value.value == one for one in known):
-            message = f"{format_node(value)} is never drawn"
             help_ = choice_of(spelled(value.value), (cut(spelled(one)) for one in known))
-            self.add(codes.NEVER_DRAWN, path, message, help_)
+            self.add(codes.NEVER_DRAWN, path, f"{format_node(value)} {what}", help_)
 
     def _refs_of(self, model: Any, node: Entries, path: Path) -> list[tuple[str, Reference, Any]]:
         """Return the fields of a model that name something: of a condition, or a value read of several, also groups."""
@@ -384,9 +390,10 @@ class _Walker:
             is_of_all = "of" in node.entries or _is_folded(path)
             if is_about_one and not is_of_all and not roster.keeps(scope.group, group):
                 message = f"{key} '{name}' is kept per {group}"
-                self.add(
-                    codes.MISSING_ENTITY, (*path, key), message, f"say whose with 'entity', such as entity: {group}"
-                )
+                help_ = f"say whose with 'entity', such as entity: {group}"
+                if path[0] == "result":
+                    help_ = f"write {{sum: {{{key}: {name}, entity: each}}}}, highest or lowest"
+                self.add(codes.MISSING_ENTITY, (*path, key), message, help_)
             return
         is_several = isinstance(whose, Items) or any(
             one in roster.groups and one not in kinds and not (group == ENTRANTS and one in roster.teams)

@@ -31,6 +31,7 @@ LINT_RULES: tuple[LintRule, ...] = (
     values.NeverReached(),
     values.ExactMeasurement(),
     values.UnknownPlaceholder(),
+    values.PlaceholderOfTwo(),
     values.PlaceholderNeverFilled(),
     placing.OffTheField(),
     placing.RobotWithoutProgram(),

@@ -156,6 +156,21 @@ class UnknownPlaceholder(LintRule, code="unknown-placeholder"):
                 )
 
 
+class PlaceholderOfTwo(LintRule, code="placeholder-of-two"):
+    """``{…}`` in ``says`` or ``sheet`` that is a param and a counter, draw or role too: the param is shown."""
+
+    message = "'{{{blank}}}' is a param, and not the {kind} of the same name"
+    help = "rename one of them"
+
+    def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
+        scenario = ctx.scenario
+        for name, rule in scenario.rules.items():
+            for blank, key in named_in(rule).items() if scenario.params else ():
+                kind = next((one for one in ("counter", "draw", "role") if blank in getattr(scenario, f"{one}s")), "")
+                if kind and blank in scenario.params and blank not in PLACEHOLDERS:
+                    yield self.at(("rules", name, key), blank=blank, kind=kind)
+
+
 class PlaceholderNeverFilled(LintRule, code="placeholder-never-filled"):
     """``{each}``, ``{limit}`` or ``{points}`` in a rule that has no for_each, no limit or no points."""
 

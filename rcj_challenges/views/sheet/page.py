@@ -107,7 +107,10 @@ def _scoring(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Table]:
 def _points_words(given: Mapping[str, Mapping[str, None]], seats: set[str]) -> str:
     """Return what different receivers get; without their names if there is one team, or all get the same."""
     is_same = len(given) == 1 and (len(seats) == 1 or set(*given.values()) >= seats)
-    return "; ".join(points if is_same else f"{points} for {listed(list(to), 'or')}" for points, to in given.items())
+    if is_same:
+        return next(iter(given))
+    rows = ((points, listed([*receivers], "or")) for points, receivers in given.items())
+    return "; ".join(f"{to}: {points}" if " " in points else f"{points} for {to}" for points, to in rows)
 
 
 def _ranking(phrases: Phrasebook) -> Iterator[Items]:

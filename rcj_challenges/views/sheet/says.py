@@ -35,7 +35,7 @@ def says_sentence(phrases: Phrasebook, rule: Rule) -> str:
         "points": (OPEN,) * 2,
     }
     named = dict.fromkeys(scenario.counters, (OPEN, OPEN))
-    named |= {name: (f"the {plain(name)}",) * 2 for name in scenario.roles}
+    named |= {name: (phrases.thing(name),) * 2 for name in scenario.roles}
     words = fill_generally(words, named | blanks).replace(f"{OPEN}.", OPEN)
     end = "" if words.rstrip("\"'”)").endswith((".", "!", "?", "…", ":")) else "."
     return f"{words[:1].upper()}{words[1:]}{end}"
