@@ -292,7 +292,6 @@ class Device(Word):
         WIDTH: how many numbers a sample has.
         RESOLUTION: what replay pages round its numbers to.
         MAX_SHOWN: how many of its numbers a replay page carries; the rest is skipped evenly.
-        SHOWS_SPEED: whether a replay page also has how fast its number changes.
         PAGE_FACTS: which facts a replay page needs to draw it.
         FREE: the fields that designs of teams may choose freely, because nothing is gained by them.
     """
@@ -303,7 +302,6 @@ class Device(Word):
     WIDTH: ClassVar = 0
     RESOLUTION: ClassVar = 1e-3
     MAX_SHOWN: ClassVar = 1_000_000
-    SHOWS_SPEED: ClassVar = False
     PAGE_FACTS: ClassVar[tuple[str, ...]] = ()
     FREE: ClassVar[frozenset[str]] = frozenset()
 

@@ -22,7 +22,7 @@ class WheelSensorDevice(Device):
     ACCEPTS = frozenset({"sampling"})
     FREE = frozenset({"wheel", "direction"})
     WIDTH = 1
-    SHOWS_SPEED = True
+    RESOLUTION = 1e-4  # a page shows how fast it changes, too
     EXAMPLE = """
 robots:
   Y1: {devices: {left wheel sensor: {device: wheel_sensor, wheel: left}}}

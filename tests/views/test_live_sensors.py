@@ -10,8 +10,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.match.observers import ObserverGroup
@@ -22,7 +20,7 @@ from rcj_challenges.submissions.team import open_team
 from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace
 from rcj_challenges.views.live.encoder import LiveObserver
 from rcj_challenges.views.live.feed import Feed
-from rcj_challenges.views.live.sensor_feed import HalfSensorFeed, packed_steps
+from rcj_challenges.views.live.sensor_feed import HalfSensorFeed
 from rcj_challenges.views.replay.sensor_blocks import output_block, sensor_block, sensor_facts
 from tests.made_up_runs import (
     half_info,
@@ -74,29 +72,8 @@ class Received:
             half, robot, rows = struct.unpack_from("<HHI", body)
             facts = self.facts[half]["robots"][robot]
             table = self.tables.setdefault((half, facts["name"]), [])
-            steps = unpacked(body[8:])
-            width = 1 + len(facts["units"])
-            assert len(steps) == rows * width
-            for at in range(0, len(steps), width):
-                before = table[-1] if table else [0] * width
-                table.append([wrapped(one + other) for one, other in zip(before, steps[at : at + width], strict=True)])
+            table += np.frombuffer(body[8:], "<i4").reshape(rows, 1 + len(facts["units"])).tolist()
             self.order.append(("sensed", table[-1][0]))
-
-
-def unpacked(data: bytes) -> list[int]:
-    found, folded, shift = [], 0, 0
-    for byte in data:
-        folded |= (byte & 127) << shift
-        shift += 7
-        if byte < 128:
-            found.append((folded >> 1) ^ -(folded & 1))
-            folded = shift = 0
-    assert shift == 0
-    return found
-
-
-def wrapped(number: int) -> int:
-    return (number + 2**31) % 2**32 - 2**31
 
 
 def replayed(half: Any) -> dict[str, Table]:
@@ -177,13 +154,6 @@ def test_half_of_a_surrogate_pair_does_not_break_the_feed() -> None:
     feed = Feed()
     feed.append(senses.announcement + senses.messages())
     assert Received(feed).lines == [[1, "B1", 3, "\ud800 \x00 \u2028\n"]]
-
-
-@given(st.lists(st.integers(-(2**32), 2**32), max_size=30))
-def test_any_difference_is_packed_and_unpacked(steps: list[int]) -> None:
-    packed = packed_steps(np.array(steps, np.int64))
-    assert unpacked(packed) == [wrapped(step) for step in steps]
-    assert len(packed) <= 5 * len(steps)
 
 
 # --- logos -------------------------------------------------------------------------------------------------------------

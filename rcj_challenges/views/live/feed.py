@@ -8,7 +8,7 @@ A spectator reads from any place of it, at its own speed; written bytes never ch
 | 0 | empty, keeps the connection alive; sent in between, not part of the sequence |
 | 1 | one JSON object; its key ``say`` names it: ``half``, ``sensors``, ``news``, ``printed``, ``pace``, ``over`` |
 | 2 | poses: half (uint16), tick of the first row (uint32), then rows of int16 ``[channel][entity]`` |
-| 3 | readings of a robot: half (uint16), its place in ``sensors`` (uint16), rows (uint32), the rows: `sensor_feed` |
+| 3 | readings of a robot: half (uint16), its place in ``sensors`` (uint16), rows (uint32), int32 ``[row][column]`` |
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ def pose_message(half: int, first_tick: int, rows: bytes) -> bytes:
     return struct.pack("<BIHI", _POSES, 6 + len(rows), half, first_tick) + rows
 
 
-def reading_message(half: int, robot: int, rows: int, steps: bytes) -> bytes:
-    """Return readings and commands of a robot's program, framed; ``steps`` are packed."""
-    return struct.pack("<BIHHI", _READINGS, 8 + len(steps), half, robot, rows) + steps
+def reading_message(half: int, robot: int, count: int, rows: bytes) -> bytes:
+    """Return readings and commands of a robot's program, framed; ``rows`` is int32 ``[row][column]``."""
+    return struct.pack("<BIHHI", _READINGS, 8 + len(rows), half, robot, count) + rows
 
 
 class Feed:

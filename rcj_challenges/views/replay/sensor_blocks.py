@@ -11,18 +11,16 @@ from __future__ import annotations
 import base64
 import json
 import zlib
-from collections.abc import Iterator
 from itertools import groupby
 from operator import itemgetter
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.core.traffic import DeviceSpec
 from rcj_challenges.devices import device_of_class
-from rcj_challenges.records.sensors import FLOATS_PER_PACKET, SensedRobot, SensorHalf, SensorTrack
+from rcj_challenges.records.sensors import SensedRobot, SensorHalf
 
 STRENGTH, DIRECTION, VELOCITY_RADPS = 1e-2, 1e-4, 1e-3
 
@@ -34,20 +32,6 @@ _LARGEST = 2**31 - 2
 _ZLIB_LEVEL = 6
 
 Array = npt.NDArray[Any]
-
-
-class Column(NamedTuple):
-    """A column of numbers that the page has of a robot.
-
-    Attributes:
-        unit: what 1 is worth.
-        at: its place among the floats of a recorded row: values, then packets, then motors.
-        is_speed: whether it is not the float itself (an angle) but how fast that changes.
-    """
-
-    unit: float
-    at: int
-    is_speed: bool = False
 
 
 def sensor_facts(half: SensorHalf) -> dict[str, Any]:
@@ -66,7 +50,10 @@ def sensor_block(half: SensorHalf) -> str:
     parts = []
     for track in half.robots.values():
         parts.append(packer.compress(_planes(track.ticks.astype(np.int64))))
-        parts += [packer.compress(_planes(whole_numbers(*column))) for column in _columns(track)]
+        units, at = columns_of(track.robot)
+        rows = len(track.ticks)
+        floats = np.hstack((track.values, track.packets.reshape(rows, -1), track.motors))[:, at]
+        parts += [packer.compress(_planes(column)) for column in whole_numbers(units, floats).T]
     return base64.b64encode(b"".join([*parts, packer.flush()])).decode("ascii")
 
 
@@ -100,12 +87,12 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
     """Return the columns that the page has of a robot, with the device of each."""
     return {
         "name": robot.name,
-        "units": [column.unit for column in columns_of(robot)],
+        "units": columns_of(robot)[0].tolist(),
         "devices": [
             {
                 "name": device.name,
                 "kind": device.kind,
-                "columns": -(-device.width // _stride(device)) + device_of_class(device.kind).SHOWS_SPEED,
+                "columns": -(-device.width // _stride(device)),
                 "facts": _page_facts(device),
             }
             for device in robot.devices
@@ -126,34 +113,22 @@ def _page_facts(device: DeviceSpec) -> dict[str, Any]:
     return {name: value * _stride(device) if name == "bearing_step_rad" else value for name, value in facts.items()}
 
 
-def columns_of(robot: SensedRobot) -> list[Column]:
-    """Return the columns of a robot: devices in order, a wheel's angle followed by its speed; packets; motors."""
-    columns: list[Column] = []
-    for device in robot.devices:
-        places = range(device.slot, device.slot + device.width, _stride(device))
-        kind = device_of_class(device.kind)
-        columns += [Column(kind.RESOLUTION, at) for at in places]
-        if kind.SHOWS_SPEED:
-            columns.append(Column(VELOCITY_RADPS, device.slot, is_speed=True))
-    packets = [STRENGTH, DIRECTION, DIRECTION, DIRECTION] * robot.packets
-    motors = [VELOCITY_RADPS] * len(robot.motors)
-    return columns + [Column(unit, robot.values + at) for at, unit in enumerate((*packets, *motors))]
+def columns_of(robot: SensedRobot) -> tuple[Array, Array]:
+    """Return of the columns of a robot the units, and the places among the floats of a recorded row.
 
-
-def speeds(ticks: Array, angles: Array) -> Array:
-    """Return the speeds of wheels since the observation before, in rad/s; NaN for the first.
-
-    ``ticks``: ``[N]``, of the observations; ``angles``: ``[N]`` or ``[N, wheels]``, in rad.
+    The floats are values, packets and motors; of the values of devices with many, some are skipped.
     """
-    turned = np.full(angles.shape, np.nan)
-    passed = np.diff(ticks.astype(np.int64)) * TICK_S
-    with np.errstate(divide="ignore", invalid="ignore"):
-        turned[1:] = (np.diff(angles, axis=0).T / passed).T
-    return turned
+    units, at = list[float](), list[int]()
+    for device in robot.devices:
+        shown = range(device.slot, device.slot + device.width, _stride(device))
+        units += [device_of_class(device.kind).RESOLUTION] * len(shown)
+        at += shown
+    units += [STRENGTH, DIRECTION, DIRECTION, DIRECTION] * robot.packets + [VELOCITY_RADPS] * len(robot.motors)
+    return np.array(units), np.array([*at, *range(robot.values, robot.values + len(units) - len(at))], np.intp)
 
 
-def whole_numbers(units: float | Array, numbers: Array) -> Array:
-    """Return numbers, ``[N]`` or ``[N, columns]``, as multiples of their unit; `NAN` stands for what is none."""
+def whole_numbers(units: Array, numbers: Array) -> Array:
+    """Return numbers, ``[N, columns]``, as multiples of the units of their columns; `NAN` stands for what is none."""
     with np.errstate(invalid="ignore", over="ignore"):
         whole: Array = np.clip(np.rint(numbers / units), -_LARGEST, _LARGEST).astype(np.int64)
     if not np.isfinite(numbers).all():
@@ -161,22 +136,6 @@ def whole_numbers(units: float | Array, numbers: Array) -> Array:
         whole[numbers == np.inf] = INFINITE
         whole[numbers == -np.inf] = MINUS_INFINITE
     return whole
-
-
-def _columns(track: SensorTrack) -> Iterator[tuple[float, Array]]:
-    for column in columns_of(track.robot):
-        numbers = _floats(track, column.at)
-        yield column.unit, speeds(track.ticks, numbers) if column.is_speed else numbers
-
-
-def _floats(track: SensorTrack, at: int) -> Array:
-    robot = track.robot
-    if at < robot.values:
-        return track.values[:, at]
-    packet, part = divmod(at - robot.values, FLOATS_PER_PACKET)
-    if packet < robot.packets:
-        return track.packets[:, packet, part]
-    return track.motors[:, at - robot.values - FLOATS_PER_PACKET * robot.packets]
 
 
 def _stride(device: DeviceSpec) -> int:

@@ -10,7 +10,6 @@ class LiveSensed {
     this.rows = 0;
     this.room = FIRST_ROOM;
     this.table = Array.from({ length: 1 + facts.units.length }, () => new Int32Array(this.room));
-    this.row = new Int32Array(this.table.length);
     this.cut();
   }
 
@@ -20,24 +19,18 @@ class LiveSensed {
     this.columns = this.table.slice(1);
   }
 
-  /** Take rows: differences to the row before, the sign in the lowest bit, seven bits a byte, the lowest first. */
+  /** Take rows: int32 numbers, little-endian, from any byte on. */
   append(count, bytes) {
+    const { table } = this, view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    if (bytes.length !== 4 * count * table.length) throw new FeedDamaged("readings that are not complete");
     this.reserve(this.rows + count);
-    const { table, row } = this;
     let at = 0;
     for (let index = this.rows; index < this.rows + count; index++) {
-      for (let column = 0; column < table.length; column++) {
-        let folded = 0, shift = 0, byte;
-        do {
-          byte = bytes[at++];
-          folded |= (byte & 127) << shift;
-          shift += 7;
-        } while (byte & 128);
-        row[column] += (folded >>> 1) ^ -(folded & 1);
-        table[column][index] = row[column];
+      for (const column of this.table) {
+        column[index] = view.getInt32(at, true);
+        at += 4;
       }
     }
-    if (at !== bytes.length) throw new FeedDamaged("readings that are not complete");
     this.rows += count;
     this.cut();
   }

@@ -108,20 +108,22 @@ class Sensors {
     return low - 1;
   }
 
-  /** {robot, row, value(column)} of the last observation of a robot at a place, or null. */
+  /** {robot, tick, value(column), speed(column)} of the last observation of a robot at a place, or null. */
   observation(index, place) {
     const { track, tick } = this.recording.at(place);
     const robot = this.half(track.facts.half)?.get(this.recording.entities[index].name);
     if (!robot) return null;
     const row = Sensors.last(robot.ticks, Math.floor(tick + 1e-6));
     if (row < 0) return null;
-    const value = (column) => {
-      const number = robot.columns[column][row];
+    const value = (column, at = row) => {
+      const number = at < 0 ? NO_NUMBER : robot.columns[column][at];
       if (number === NO_NUMBER) return NaN;
       if (number === INFINITE) return Infinity;
       return number === MINUS_INFINITE ? -Infinity : number * robot.facts.units[column];
     };
-    return { robot, row, tick: robot.ticks[row], value };
+    const passed_s = (robot.ticks[row] - robot.ticks[row - 1]) * this.recording.facts.tick_s;
+    const speed = (column) => (value(column) - value(column, row - 1)) / passed_s;
+    return { robot, tick: robot.ticks[row], value, speed };
   }
 
   // --- cards -----------------------------------------------------------------------------------------------------------
@@ -153,9 +155,10 @@ class Sensors {
   }
 
   /** [name, text] of each device at an observation, wheels first. */
-  static readings({ robot, tick, value }) {
+  static readings({ robot, tick, value, speed }) {
     const { devices, packets, motors, units } = robot.facts;
-    const number = (column, digits) => (Number.isNaN(value(column)) ? "–" : value(column).toFixed(digits).replace("Infinity", "∞"));
+    const shown = (one, digits) => (Number.isNaN(one) ? "–" : one.toFixed(digits).replace("Infinity", "∞"));
+    const number = (column, digits) => shown(value(column), digits);
     const firstMotor = units.length - motors.length, firstPacket = firstMotor - 4 * packets;
     const rows = [["observation", `frame ${tick}`]];
     motors.forEach(([name, unit], at) => rows.push([name, `set to ${number(firstMotor + at, 2)} ${unit}`]));
@@ -165,7 +168,7 @@ class Sensors {
       const all = Array.from({ length: device.columns }, (_, part) => column + part);
       column += device.columns;
       if (Number.isNaN(value(all[0]))) off.push(device.name);
-      else if (device.kind === "position_sensor") rows.push([device.name, `${number(all[0], 2)} rad, turned ${number(all[1], 2)} rad/s`]);
+      else if (device.kind === "position_sensor") rows.push([device.name, `${number(all[0], 2)} rad, turned ${shown(speed(all[0]), 2)} rad/s`]);
       else if (device.kind === "lidar") rows.push([device.name, Sensors.lidarText(all.map(value))]);
       else rows.push([device.name, all.map((one) => number(one, device.kind === "distance_sensor" ? 1 : 3)).join("  ")]);
     }
