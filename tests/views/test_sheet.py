@@ -259,6 +259,31 @@ def test_a_role_that_begins_with_nothing_may_be_left_to_chance():
     assert "chance" not in section(sheet(role.format("listed") + RULE), "Course")
 
 
+def test_a_period_has_its_name_in_full_rules_too():
+    more = "match: {halves: 3, half_s: 60, called: hole}\ncounters: {n: {}}"
+    rule = f"{IT}, actions: [{{action: count, counter: n, to: {{word: halftime}}}}, {{action: end}}], says: T."
+    assert sentence(rule, more).endswith("is set to the number of the hole, then the hole ends.")
+
+
+@pytest.mark.parametrize(
+    ("condition", "words"),
+    [
+        ("timer: run, above: {timer: run, entity: others}",
+         "the time in s that its timer “run” has run is more than the time in s that the timer “run” of the other team has run"),
+        ("flag: lit, entity: others, negate: true", "the flag “lit” of the other team is not set"),
+    ],
+)  # fmt: skip
+def test_of_two_teams_the_other_one_is_compared(condition, words):
+    more = "timers: {run: {per: entrants}}\nflags: {lit: {per: entrants}}"
+    rule = f"for_each: entrants, {IT}, conditions: [{{{condition}}}], actions: [{{action: end}}], says: T."
+    assert f"provided that {words}: " in sentence(rule, more)
+
+
+def test_how_to_win_is_of_whole_sentences():
+    text = "result: {rank: [{score: each, times: 2, better: more, says: points count twice}, {word: time_s, better: less, says: time!}]}\n"
+    assert "Points count twice. Time!" in section(sheet(text + RULE), "How to win")
+
+
 def test_a_timer_of_each_is_its_own():
     more = "timers: {run: {per: entrants}}\ncounters: {run_s: {per: entrants}}"
     counts = "for_each: entrants, triggers: [{trigger: half_ended}], actions: [{action: count, counter: run_s, to: {timer: run}}]"

@@ -15,6 +15,7 @@ sequences: {way: {entity: Y3, steps: [blue_goal, yellow_goal]}, round: {per: blu
 """
 CROSSES = "for_each: doors, triggers: [{trigger: crosses, entity: yellow, gate: each}]"
 TOUCHES = "for_each: robots, triggers: [{trigger: touches, entity: each, other: robots}]"
+TEAM_TOUCHES = "for_each: entrants, triggers: [{trigger: touches, entity: each, other: others}]"
 STILL = "{trigger: holds, conditions: [{speed: each, at_most: 0.01}], for_s: 5%s}"
 
 
@@ -43,6 +44,7 @@ def test_entity_is_what_the_triggers_are_about(triggers, words):
         (CROSSES, "{each} is open; who crosses {each} closes it.", "One of the doors is open; who crosses the gate closes it."),
         (TOUCHES, "{other} is touched.", "The other robot is touched."),
         (TOUCHES, "{each} or {entity}.", "A robot or the robot."),
+        (TEAM_TOUCHES, "{each}, by {entity}.", "A team, by one of its robots."),
     ],
 )  # fmt: skip
 def test_each_and_other_are_named_by_their_kind_or_group(rule, says, words):

@@ -51,4 +51,5 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        return f"the {self.what} ends" + (f" ({self.reason})" if self.reason else "")
+        what = phrases.period if self.what == "half" else self.what
+        return f"the {what} ends" + (f" ({self.reason})" if self.reason else "")

@@ -28,5 +28,5 @@ class RoleIs(Condition):
         return lambda: draws[name] == wanted
 
     def describe(self, phrases: Phrases) -> str:
-        who = "nothing" if self.equals == "none" else phrases.holder(self.role, str(self.equals))
-        return f"{who} is {'not ' if self.negate else ''}{quoted_measure(self.role)}"
+        holder = "nothing" if self.equals == "none" else phrases.holder(self.role, str(self.equals))
+        return f"{holder} is {'not ' if self.negate else ''}{quoted_measure(self.role)}"

@@ -65,7 +65,7 @@ expect:
         return phrases.phases() if self.word == "phase" else ()
 
     def describe(self, phrases: Phrases) -> str:
-        words = phrases.measured if self.word == "measured" else FACTS[self.word].says
+        words = phrases.measured if self.word == "measured" else FACTS[self.word].says.format(half=phrases.period)
         return f"{words} of {phrasing.plain(self.of)}" if self.of else words
 
 
@@ -144,9 +144,9 @@ FACTS: dict[str, _Fact] = {
     "team_name": _Fact(lambda to, firing, of: team_name_of(to.state, firing, of), "the team name", "each"),
     "entrant": _Fact(lambda to, firing, of: entrant_of(to.state, firing, of), "the entrant", "each"),
     "score": _Fact(_score, "the score", "each"),
-    "halftime": _Fact(lambda to, _firing, _of: to.state.half.half, "the number of the half"),
+    "halftime": _Fact(lambda to, _firing, _of: to.state.half.half, "the number of the {half}"),
     "match_id": _Fact(lambda to, _firing, _of: to.state.half.match_id, "the number of the match"),
-    "total_match_time_s": _Fact(lambda to, _firing, _of: to.half_length_s(), "the length of the half in s"),
+    "total_match_time_s": _Fact(lambda to, _firing, _of: to.half_length_s(), "the length of the {half} in s"),
     "time_s": _Fact(lambda to, _firing, _of: s_from_ticks(to.state.clock), "the time in s"),
     "time_left_s": _Fact(
         lambda to, _firing, _of: s_from_ticks(max(0, to.state.half.ticks - to.state.clock)), "the time left in s"

@@ -28,7 +28,7 @@ from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.programs import program_sections
 from rcj_challenges.views.sheet.robots import has, robot_blocks
 from rcj_challenges.views.sheet.rules import general_notes, rule_blocks, rules_on_sheet, when_words
-from rcj_challenges.views.sheet.says import says_sentence
+from rcj_challenges.views.sheet.says import as_sentence, says_sentence
 
 
 def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
@@ -83,8 +83,8 @@ def _full(scenario: Scenario, roster: Roster) -> tuple[Section, ...]:
 def _winning(scenario: Scenario, *, is_scored: bool) -> Iterator[Block]:
     if is_scored or scenario.result != Result():
         by_score = {"more": "The team with more points wins.", "less": "The team with fewer points wins."}
-        said = (filled(one.says or "", scenario.params) or by_score[one.better] for one in scenario.result.rank)
-        yield " ".join(said)
+        said = (filled(one.says or by_score[one.better], scenario.params) for one in scenario.result.rank)
+        yield " ".join(map(as_sentence, said))
     yield length_words(scenario)
 
 
@@ -97,7 +97,7 @@ def _scoring(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Table]:
         for receiver, words in filter(None, (action.points_row(own) for action in rule.actions)):
             points.setdefault(receiver, []).append(words)
         for receiver, parts in points.items():
-            when = says_sentence(own, rule) or f"{when_words(rule, phrases)}."
+            when = says_sentence(phrases, rule) or f"{when_words(rule, phrases)}."
             rows.setdefault(when, {}).setdefault(", plus ".join(parts), {})[receiver] = None
     seats = set(map(plain, phrases.scenario.entrants))
     if rows:

@@ -74,7 +74,7 @@ class Phrasebook:
         """Return any one of several: ``a yellow robot``, ``a team``, ``one of the doors``; of one itself."""
         if name == ENTRANTS:
             return "a team"
-        if not name or not self.is_several(name) or name in self.scenario.groups:
+        if not name or not self.is_several(name) or name in self.scenario.groups or self.is_team(name):
             return self.any_of(name) if name else ""
         if name in _GROUPS_OF_ALL:
             return Noun(name.removesuffix("s"), name).a
@@ -216,8 +216,11 @@ class Phrasebook:
         return per if per is not None and self.is_several(per) else None
 
     def is_one_owner(self, kind: str, name: str, entity: Names) -> bool:
-        is_seat = self.keepers(kind, name) == ENTRANTS and entity in self.scenario.entrants
-        return isinstance(entity, str) and (is_seat or not self.is_several(entity))
+        if not isinstance(entity, str):
+            return False
+        is_opponent = self.is_team(entity) and entity != "each" and len(self.roster.teams) == 2
+        is_seat = self.keepers(kind, name) == ENTRANTS and (entity in self.scenario.entrants or is_opponent)
+        return is_seat or not self.is_several(entity)
 
     def one_of_owners(self, kind: str, name: str) -> str | None:
         per = self.keepers(kind, name)

@@ -14,7 +14,7 @@ _UNKNOWN_TEAM = "the team"
 
 def says_sentence(phrases: Phrasebook, rule: Rule) -> str:
     """Return the sentence of a rule for the sheet; an empty text if it has none."""
-    scenario = phrases.scenario
+    phrases, scenario = phrases.within(rule), phrases.scenario
     words = fill_params(rule, scenario.params, rule.for_sheet).strip()
     if not words:
         return ""
@@ -36,7 +36,11 @@ def says_sentence(phrases: Phrasebook, rule: Rule) -> str:
     }
     named = dict.fromkeys(scenario.counters, (OPEN, OPEN))
     named |= {name: (phrases.thing(name),) * 2 for name in scenario.roles}
-    words = fill_generally(words, named | blanks).replace(f"{OPEN}.", OPEN)
+    return as_sentence(fill_generally(words, named | blanks).replace(f"{OPEN}.", OPEN))
+
+
+def as_sentence(words: str) -> str:
+    """Return what an author wrote with a capital letter and a full stop."""
     end = "" if words.rstrip("\"'”)").endswith((".", "!", "?", "…", ":")) else "."
     return f"{words[:1].upper()}{words[1:]}{end}"
 
