@@ -48,7 +48,7 @@ class Commentator:
 
     def remarks(self, output: RefereeOutput) -> Iterator[Remark]:
         """Yield the remarks about an output: its events, then points that were given without one."""
-        for event in self._builder.add(output.events, output.firings, output.changes).events:
+        for event in self._builder.add(output.events, output.firings, output.changes)[0]:
             scored = {seat: points for seat, points in event.scored.items() if points}
             # The score changes once, also by a rule that emits several events.
             yield self._score(event, scored) if scored and event.is_first else self._sentence(event)

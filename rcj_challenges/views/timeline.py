@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from rcj_challenges.core.amounts import Score, round_score
@@ -19,7 +19,7 @@ from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.rules.effects import Emits
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.standing import RankingCounters, Value
+from rcj_challenges.views.standing import RankingCounters
 
 POINTS = "POINTS"
 """Name of what stands in the timeline for points that a rule gives without an event."""
@@ -57,28 +57,22 @@ class TimelineEvent:
         return {} if self.cause is None else self.cause.scored
 
 
-@dataclass(frozen=True, slots=True)
-class TickNews:
-    """The news of a tick for a timeline; None is no change. Points without an event come last."""
+Changes = dict[str, list[list[Any]]]
+"""By what changes, a row for each change, as pages have it: its tick, then what it is now.
 
-    events: tuple[TimelineEvent, ...] = ()
-    phase: PhaseChange | None = None
-    held: HeldChange | None = None
-    score: dict[str, Score] | None = None
-    counted: dict[str, list[Value]] | None = None
+``score_changes`` and ``counted`` are by team, ``phases`` with whether a kick-off is awaited; ``held`` names robots.
+"""
+CHANGES = ("score_changes", "counted", "phases", "held")
 
 
 @dataclass
 class HalfTimeline:
-    """One half; each list has a change with its tick, in order. Teams are by seat, scores and counters by team."""
+    """One half; teams are by seat, the score at its start is by team."""
 
     half: int
     teams: Mapping[str, str]
     first_score: Mapping[str, Score]
-    phases: list[PhaseChange] = field(default_factory=list)
-    held: list[HeldChange] = field(default_factory=list)
-    scores: list[tuple[int, dict[str, Score]]] = field(default_factory=list)
-    counted: list[tuple[int, dict[str, list[Value]]]] = field(default_factory=list)
+    changes: Changes = field(default_factory=lambda: {name: [] for name in CHANGES})
 
 
 @dataclass
@@ -116,15 +110,20 @@ class TimelineBuilder:
         firings: Iterable[Firing],
         changes: Iterable[Change],
         faults: Iterable[Fault] = (),
-    ) -> TickNews:
-        """Add a tick, or what follows the last one of a half; faults are also among the events. Returns the news."""
-        before = self._score
-        news = self._add_changes(changes)
+    ) -> tuple[list[TimelineEvent], Changes]:
+        """Add a tick, or what follows the last one of a half; faults are also among the events.
+
+        Returns what was added to the timeline; points without an event come last.
+        """
+        before, news = self._score, Changes()
+        for name, row in self._rows(changes):
+            news.setdefault(name, []).append(row)
+            self._half.changes[name].append(row)
         ran = [firing for firing in firings if firing.suppressed is None]
         self._add_up(before, ran)
-        found = (*self._joined(events, ran, {fault.robot: fault for fault in faults}), *self._points(ran))
+        found = [*self._joined(events, ran, {fault.robot: fault for fault in faults}), *self._points(ran)]
         self.timeline.events += found
-        return replace(news, events=found)
+        return found, news
 
     def _add_up(self, score: Mapping[str, Score], firings: Iterable[Firing]) -> None:
         """Note the score after each of several rules that scored in a tick; the last one made that of the tick."""
@@ -135,26 +134,20 @@ class TimelineBuilder:
             score = {team: round_score(number + points.get(team, 0)) for team, number in score.items()}
             self._after[id(firing)] = score
 
-    def _add_changes(self, changes: Iterable[Change]) -> TickNews:
-        half, news = self._half, TickNews()
+    def _rows(self, changes: Iterable[Change]) -> Iterator[tuple[str, list[Any]]]:
+        teams = self._half.teams
         for change in changes:
             match change:
-                case PhaseChange():
-                    half.phases.append(change)
-                    news = replace(news, phase=change)
-                case HeldChange():
-                    half.held.append(change)
-                    news = replace(news, held=change)
-                case ScoreChange():
-                    score = {half.teams[seat]: points for seat, points in change.scores.items() if seat in half.teams}
-                    self._score = score
-                    half.scores.append((change.tick, score))
-                    news = replace(news, score=score)
-                case CountersChange():
-                    if (counted := self._ranking.by_team(change.counters)) is not None:
-                        half.counted.append((change.tick, counted))
-                        news = replace(news, counted=counted)
-        return news
+                case PhaseChange(tick, phase, is_waiting):
+                    yield "phases", [tick, phase, is_waiting]
+                case HeldChange(tick, robots):
+                    yield "held", [tick, list(robots)]
+                case ScoreChange(tick, scores):
+                    self._score = {teams[seat]: points for seat, points in scores.items() if seat in teams}
+                    yield "score_changes", [tick, self._score]
+                case CountersChange(tick, counters):
+                    if (counted := self._ranking.by_team(counters)) is not None:
+                        yield "counted", [tick, counted]
 
     def _joined(
         self, events: Iterable[Event], firings: Iterable[Firing], faults: Mapping[str, Fault]

@@ -451,15 +451,16 @@ def test_goals_faults_phases_and_jumps_are_sent_with_their_tick() -> None:
         for message in _received(list(made_up_play(ROBOTS, 900)))
         if isinstance(message, dict) and message["say"] == "news"
     ]
-    goals = [message for message in news if "score" in message]
-    assert [message["tick"] for message in goals] == [400, 800]
-    assert goals[-1]["score"] == {"blue": 0, "yellow": 2}
-    assert goals[-1]["jumps"] == [ROBOTS]
-    assert goals[-1]["phase"] == ["goal_pause", True]
+    goals = [message for message in news if "score_changes" in message]
+    assert [message["score_changes"][0][0] for message in goals] == [400, 800]
+    assert goals[-1]["score_changes"] == [[800, {"blue": 0, "yellow": 2}]]
+    assert goals[-1]["jumps"] == {str(ROBOTS): [800]}
+    assert goals[-1]["phases"] == [[800, "goal_pause", True]]
     event = goals[-1]["events"][0]
     assert (event["name"], event["standing"], event["measured"]) == ("GOAL", "0 : 2", 0.76)
     (failed,) = [message for message in news if "faults" in message]
-    assert (failed["tick"], failed["faults"][0]["robot"], failed["events"][0]["name"]) == (300, "Y1", "PROGRAM_FAULT")
+    (fault,), (event,) = failed["faults"], failed["events"]
+    assert (fault["tick"], fault["robot"], event["name"]) == (300, "Y1", "PROGRAM_FAULT")
 
 
 def test_events_after_the_last_tick_are_shown() -> None:
@@ -474,7 +475,7 @@ def test_events_after_the_last_tick_are_shown() -> None:
     observer.after_last_tick(RefereeOutput(firings=(firing,), changes=(change,)), half)
     feed.close()
     last = _messages(_all(feed))[-1]
-    assert (last["tick"], last["score"]) == (2, {"blue": 0, "yellow": 5})
+    assert last["score_changes"] == [[2, {"blue": 0, "yellow": 5}]]
 
 
 def test_the_start_is_shown_as_the_first_tick_finds_it() -> None:

@@ -12,6 +12,7 @@ from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.tournament.site.public import ReplayData, read_replay
 from rcj_challenges.views.live.recorded import STEP_S, RecordedFeed, recorded_feed
 from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.timeline import CHANGES
 from tests.made_up_runs import write_made_up_run
 
 BREAK_S = 3.2
@@ -54,7 +55,7 @@ def test_feed_has_all_poses_and_all_that_happened(replay: ReplayData, feed: Reco
     assert [one["facts"]["half"] for one in said if one["say"] == "half"] == [
         half["half"] for half in replay.facts["halves"]
     ]
-    events = [event for one in said if one["say"] == "news" for event in one["events"]]
+    events = [event for one in said if one["say"] == "news" for event in one.get("events", ())]
     assert sorted(events, key=json.dumps) == sorted(replay.facts["events"], key=json.dumps)
     assert events
     assert said[-1] == {
@@ -75,7 +76,11 @@ def test_no_step_has_anything_that_happens_after_it(replay: ReplayData, feed: Re
             if kind == 1:
                 said = json.loads(body)
                 happened_s = at_s - BREAK_S if said["say"] == "over" else begins[(said.get("facts") or said)["half"]]
-                happened_s += said.get("tick", 0) * TICK_S
+                news = said if said["say"] == "news" else {}
+                rows = [row for name in CHANGES for row in news.get(name, ())]
+                ticks = [row[0] for row in rows] + [tick for some in news.get("jumps", {}).values() for tick in some]
+                ticks += [one["tick"] for name in ("faults", "events") for one in news.get(name, ())]
+                happened_s += max(ticks, default=0) * TICK_S
             else:
                 half, first = struct.unpack_from("<HI", body)
                 ticks = (len(body) - 6) // (2 * len(replay.facts["channels"]) * len(replay.facts["entities"]))

@@ -284,7 +284,7 @@ def test_a_live_match_sends_ranking_counters_when_they_change() -> None:
     change = CountersChange(TICKS, {"laps": {"B1": 1, "Y1": 2}, "best_s": 7})
     observer.after_last_tick(RefereeOutput(firings=(last,), changes=(change,)), half)
     feed.close()
-    sent = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', feed.read(0, 0.0) or b"")
+    sent = re.findall(rb'"counted":\[\[(\d+),(\{.*?\]\})', feed.read(0, 0.0) or b"")
     assert [(int(tick), json.loads(values)) for tick, values in sent] == [
         (0, {"blue": [0, 99], "yellow": [0, 99]}),
         (20, {"blue": [1, 99], "yellow": [0, 99]}),

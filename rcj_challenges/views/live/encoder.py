@@ -18,7 +18,7 @@ from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.live.feed import Feed, json_message, pose_message
+from rcj_challenges.views.live.feed import Feed, json_message, news_message, pose_message
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.sensor_feed import HalfSensorFeed
 from rcj_challenges.views.naming import changes_sides, distinct_names
@@ -150,19 +150,16 @@ class LiveObserver(Observer):
     def _tick_message(self, snapshot: Snapshot, output: RefereeOutput) -> bytes:
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
-        added = self._builder.add(events_of(snapshot, output), output.firings, output.changes, snapshot.faults)
-        phase, held = added.phase, added.held
+        events, changes = self._builder.add(
+            events_of(snapshot, output), output.firings, output.changes, snapshot.faults
+        )
         news = {
-            "score": added.score,
-            "counted": added.counted,
-            "phase": phase and [phase.phase, phase.waiting_for_kickoff],
-            "held": held and list(held.robots),
-            "jumps": sorted({placement.entity for placement in output.placements if snapshot.tick}) or None,
-            "faults": fault_facts(snapshot.faults) or None,
-            "events": [self._event_facts.event(event, half.teams) for event in added.events],
+            **changes,
+            "jumps": {placement.entity: [snapshot.tick] for placement in output.placements if snapshot.tick},
+            "faults": fault_facts(snapshot.faults),
+            "events": [self._event_facts.event(event, half.teams) for event in events],
         }
-        changed = {name: value for name, value in news.items() if value is not None}
-        return json_message({"say": "news", "half": half.half, "tick": snapshot.tick, **changed})
+        return news_message(half.half, news)
 
     def _half_facts(self, half: HalfInfo) -> dict[str, Any]:
         return {

@@ -31,6 +31,16 @@ def json_message(message: dict[str, Any]) -> bytes:
     return struct.pack("<BI", _JSON, len(body)) + body
 
 
+def news_message(half: int, news: dict[str, Any]) -> bytes:
+    """Return what happened in some ticks of a half, framed; nothing if nothing did.
+
+    ``news`` are lists of which those of the half go on: its changes (`timeline.CHANGES`), faults, events, and jumps,
+    ticks by entity.
+    """
+    happened = {name: rows for name, rows in news.items() if rows}
+    return json_message({"say": "news", "half": half, **happened}) if happened else b""
+
+
 def pose_message(half: int, first_tick: int, rows: bytes) -> bytes:
     """Return poses of ticks that follow each other, framed; ``rows`` is int16 ``[tick][channel][entity]``."""
     return struct.pack("<BIHI", _POSES, 6 + len(rows), half, first_tick) + rows

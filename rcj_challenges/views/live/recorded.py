@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from itertools import chain
+from operator import itemgetter
 from typing import Any
 
-from rcj_challenges.views.live.feed import json_message, pose_message
+from rcj_challenges.views.live.feed import json_message, news_message, pose_message
 from rcj_challenges.views.replay.packing import unpacked
+from rcj_challenges.views.timeline import CHANGES
 
 STEP_S = 0.5
 """Rare enough for many spectators, often enough for one moment of all of them."""
@@ -51,13 +52,13 @@ def recorded_feed(facts: Mapping[str, Any], poses: Mapping[int, str], half_time_
     begins_s = 0.0
     for half in halves:
         number, last, sent = half["half"], half["ticks"], -1
-        rows, news = unpacked(poses[number], len(facts["channels"]), len(facts["entities"])), list(_news(facts, half))
+        rows = unpacked(poses[number], len(facts["channels"]), len(facts["entities"]))
         while sent < last:
             until = min(last, math.floor(((len(ends) + 1) * STEP_S - begins_s) / tick_s))
             if until > sent:  # else it is the break before this half
                 data += _begin(half) if sent < 0 else b""
                 data += pose_message(number, sent + 1, rows[sent + 1 : until + 1].tobytes())
-                data += b"".join(json_message(one) for one in news if sent < one["tick"] <= until)
+                data += news_message(number, _happened(facts, half, sent, until))
                 sent = until
             ends.append(len(data))
         goals += [
@@ -81,20 +82,21 @@ def recorded_feed(facts: Mapping[str, Any], poses: Mapping[int, str], half_time_
 
 
 def _begin(half: Mapping[str, Any]) -> bytes:
-    nothing: dict[str, Any] = {key: [] for key in ("score_changes", "counted", "phases", "held", "jumps", "faults")}
-    return json_message({"say": "half", "facts": {**half, "ticks": 0, **nothing}})
-
-
-def _news(facts: Mapping[str, Any], half: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """Yield what happens in a half, as messages of a live match."""
-    happens = chain(
-        ((tick, {"score": score}) for tick, score in half["score_changes"]),
-        ((tick, {"counted": counted}) for tick, counted in half["counted"]),
-        ((tick, {"phase": phase}) for tick, *phase in half["phases"]),
-        ((tick, {"held": held}) for tick, held in half["held"]),
-        ((tick, {"jumps": [entity]}) for entity, ticks in enumerate(half["jumps"]) for tick in ticks),
-        ((fault["tick"], {"faults": [fault]}) for fault in half["faults"]),
-        ((event["tick"], {"events": [event]}) for event in facts["events"] if event["half"] == half["half"]),
+    return json_message(
+        {"say": "half", "facts": {**half, "ticks": 0, **dict.fromkeys((*CHANGES, "jumps", "faults"), ())}}
     )
-    for tick, what in happens:
-        yield {"say": "news", "half": half["half"], "tick": tick, "events": [], **what}
+
+
+def _happened(facts: Mapping[str, Any], half: Mapping[str, Any], after: int, until: int) -> dict[str, Any]:
+    """Return what happens in a half after a tick, up to another: parts of its lists."""
+
+    def part(rows: Iterable[Any], tick: Callable[[Any], int]) -> list[Any]:
+        return [row for row in rows if after < tick(row) <= until]
+
+    events = (event for event in facts["events"] if event["half"] == half["half"])
+    return {
+        **{name: part(half[name], itemgetter(0)) for name in CHANGES},
+        "jumps": {entity: some for entity, ticks in enumerate(half["jumps"]) if (some := part(ticks, int))},
+        "faults": part(half["faults"], itemgetter("tick")),
+        "events": part(events, itemgetter("tick")),
+    }

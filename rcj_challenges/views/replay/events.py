@@ -34,14 +34,13 @@ _UNITS = {
 def half_facts(half: HalfTimeline, ticks: int) -> dict[str, Any]:
     """Return the changes of a half, as the page has them: a list for each thing, ``[tick, value]`` in order."""
     # A rule that counts in each tick would fill the page: of each stretch only the last value is kept.
-    stretch = 1 if len(half.counted) <= _MAX_CHANGES else ticks // _MAX_CHANGES + 1
+    counted = half.changes["counted"]
+    stretch = 1 if len(counted) <= _MAX_CHANGES else ticks // _MAX_CHANGES + 1
     return {
         "sides": dict(half.teams),
         "scores": dict(half.first_score),
-        "score_changes": [[tick, score] for tick, score in half.scores],
-        "counted": list({tick // stretch: [tick, values] for tick, values in half.counted}.values()),
-        "phases": [[change.tick, change.phase, change.waiting_for_kickoff] for change in half.phases],
-        "held": [[change.tick, list(change.robots)] for change in half.held],
+        **half.changes,
+        "counted": list({row[0] // stretch: row for row in counted}.values()),
     }
 
 

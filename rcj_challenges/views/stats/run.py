@@ -40,8 +40,8 @@ def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
     log = run.log.up_to({half.info.half: half.ticks for half in run.halves})
     timeline = timeline_of(run.scenario, run.halves, log)
     for half in run.halves:
-        phases = timeline.halves[half.info.half].phases
-        counting.half(half, [(change.tick, change.waiting_for_kickoff) for change in phases])
+        phases = timeline.halves[half.info.half].changes["phases"]
+        counting.half(half, [(tick, is_waiting) for tick, _, is_waiting in phases])
     for event in timeline.events:
         counting.call(event)
     for fault in run.result.faults:

@@ -103,7 +103,7 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
     """
     found: list[Clip] = []
     for clip in clips:
-        for tick in dict.fromkeys(tick for tick, _ in footage.timeline.halves[clip.half].scores):
+        for tick in dict.fromkeys(tick for tick, _ in footage.timeline.halves[clip.half].changes["score_changes"]):
             at_s = s_from_ticks(tick)
             if not clip.from_s <= at_s <= clip.to_s:
                 continue

@@ -159,7 +159,7 @@ class Footage:
         """Return the points by team at a time of a half."""
         info = half.info
         start = {info.teams[seat]: points for seat, points in info.scores.items()}
-        points = _latest(self.timeline.halves[info.half].scores, half.tick_at(t_s), start)
+        points = _latest(self.timeline.halves[info.half].changes["score_changes"], half.tick_at(t_s), start)
         return {team: points.get(team, 0) for team in self.titles}
 
     @property
@@ -169,7 +169,7 @@ class Footage:
 
     def counted(self, half: HalfFootage, t_s: float) -> tuple[str, ...]:
         """Return the counters that the ranking compares at a time of a half, a line for each team."""
-        values = _latest(self.timeline.halves[half.info.half].counted, half.tick_at(t_s), {})
+        values = _latest(self.timeline.halves[half.info.half].changes["counted"], half.tick_at(t_s), {})
         lines = {team: counted_line(self.scenario, own) for team, own in values.items()}
         if len(lines) == 1:
             return tuple(lines.values())

@@ -182,17 +182,13 @@ class LiveRecording extends Recording {
     this.span = this.last + missing + this.facts.half_ticks_planned.slice(this.halves.length).reduce((sum, ticks) => sum + ticks + 1, 0);
   }
 
-  /** What happened on a tick; returns the events that were added. */
+  /** What happened on some ticks, as the lists of the half have it; returns the events that were added. */
   news(news) {
     const track = this.halves.find((candidate) => candidate.facts.half === news.half);
     const { facts } = track;
-    if (news.score) facts.score_changes.push([news.tick, news.score]);
-    if (news.counted) facts.counted.push([news.tick, news.counted]);
-    if (news.phase) facts.phases.push([news.tick, ...news.phase]);
-    if (news.held) facts.held.push([news.tick, news.held]);
-    for (const entity of news.jumps || []) track.jumps[entity].add(news.tick);
-    facts.faults.push(...(news.faults || []));
-    const added = this.placed(news.events);
+    for (const list of ["score_changes", "counted", "phases", "held", "faults"]) facts[list].push(...(news[list] || []));
+    for (const [entity, ticks] of Object.entries(news.jumps || {})) for (const tick of ticks) track.jumps[entity].add(tick);
+    const added = this.placed(news.events || []);
     this.events.push(...added);
     return added;
   }

@@ -16,7 +16,7 @@ class PremiereFeed {
     this.lost = lost;
     this.facts = data.facts;
     this.poses = data.poses;
-    this.halves = data.facts.halves.map((facts) => ({ facts, sent: -1, news: PremiereFeed.news(data.facts, facts) }));
+    this.halves = data.facts.halves.map((facts) => ({ facts, sent: -1 }));
   }
 
   /** What is known before the first tick. */
@@ -26,18 +26,14 @@ class PremiereFeed {
     return { ...facts, halves: [], events: [], places: [], complete: false, about: facts.about.slice(0, 1), sensors: {}, half_ticks_planned: planned };
   }
 
-  /** All that happens in a half, as the messages of a live match say it, in the order of ticks. */
-  static news(facts, half) {
-    const all = [];
-    const add = (tick, what) => all.push({ half: half.half, tick, events: [], ...what });
-    for (const [tick, score] of half.score_changes) add(tick, { score });
-    for (const [tick, counted] of half.counted) add(tick, { counted });
-    for (const [tick, name, waiting] of half.phases) add(tick, { phase: [name, waiting] });
-    for (const [tick, held] of half.held) add(tick, { held });
-    half.jumps.forEach((ticks, entity) => { for (const tick of ticks) add(tick, { jumps: [entity] }); });
-    for (const fault of half.faults) add(fault.tick, { faults: [fault] });
-    for (const event of facts.events) if (event.half === half.half) add(event.tick, { events: [event] });
-    return all.sort((one, other) => one.tick - other.tick);
+  /** What happens in a half after a tick, up to another: parts of its lists. */
+  news(half, after, until) {
+    const part = (rows, tickOf) => rows.filter((row) => after < tickOf(row) && tickOf(row) <= until);
+    const [first, own] = [([tick]) => tick, ({ tick }) => tick];
+    const news = Object.fromEntries(["score_changes", "counted", "phases", "held"].map((list) => [list, part(half[list], first)]));
+    const events = this.facts.events.filter((event) => event.half === half.half);
+    const jumps = half.jumps.map((ticks) => part(ticks, (tick) => tick));
+    return { say: "news", half: half.half, ...news, jumps, faults: part(half.faults, own), events: part(events, own) };
   }
 
   async follow() {
@@ -87,8 +83,8 @@ class PremiereFeed {
     if (half.sent < 0) this.take.said({ say: "half", facts: PremiereFeed.begun(half.facts) });
     if (until <= half.sent) return;
     this.take.poses(half.facts.half, half.sent + 1, this.rows(half.track, half.sent + 1, until));
+    this.take.said(this.news(half.facts, half.sent, until));
     half.sent = until;
-    while (half.news.length && half.news[0].tick <= until) this.take.said({ say: "news", ...half.news.shift() });
   }
 
   static begun(facts) {
