@@ -87,9 +87,8 @@ def test_highlights_are_six_seconds_before_each_goal_and_one_after(footage):
 
 
 def test_overlapping_highlights_are_joined(footage):
-    half = replace(
-        footage.timeline.halves[1], scores=[(300, {"blue": 1, "yellow": 0}), (400, {"blue": 1, "yellow": 1})]
-    )
+    scores = {"score_changes": [[300, {"blue": 1, "yellow": 0}], [400, {"blue": 1, "yellow": 1}]]}
+    half = replace(footage.timeline.halves[1], changes=scores)
     close = replace(footage, halves=footage.halves[:1], timeline=Timeline({1: half}))
     (only,) = highlights(close, clips_between(close, None, None, None))
     assert (only.from_s, only.to_s) == (pytest.approx(300 * TICK_S - 6), pytest.approx(400 * TICK_S + 1))
