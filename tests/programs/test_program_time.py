@@ -98,7 +98,7 @@ def test_a_program_that_computes_much_beside_its_steps_is_suspended_between_them
                 if driver.budget.background_s > 0.6:
                     break
     assert used_s[0] > 0.01
-    assert used_s[-1] < 0.002
+    assert used_s[-1] < 0.01
 
 
 @needs_linux
