@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, get_type_hints
 from sqlalchemy import JSON, Boolean, Column, DateTime, Dialect, ForeignKeyConstraint, Integer, MetaData, String, Table
 from sqlalchemy.types import TypeDecorator
 
-STORE_VERSION = 3
+STORE_VERSION = 2
 """Version of the tables; a store of another version is refused."""
 
 METADATA = MetaData()
