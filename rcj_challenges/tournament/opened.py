@@ -107,7 +107,10 @@ class OpenTournament:
     def drawn(self) -> Drawn:
         """The draws so far; new ones are added."""
         kept = self.store.drawn() if self.store.has_begun() else None
-        return Drawn.of(self.loaded.tournament.seed, self.loaded.teams()) if kept is None else Drawn(**kept)
+        if kept is None:
+            return Drawn.of(self.loaded.tournament.seed, self.loaded.teams())
+        kept.pop("by_exchanges", None)  # how Swiss rounds were paired when there were two ways
+        return Drawn(**kept)
 
     def keep_drawn(self) -> None:
         """Keep the draws since the last time."""

@@ -1,6 +1,7 @@
 """What was drawn is kept: other teams or another seed after play are an error, and can be taken on purpose."""
 
 import shutil
+from dataclasses import asdict
 
 import pytest
 
@@ -102,6 +103,14 @@ def test_before_anything_is_played_all_may_change(tmp_path):
     for change in CHANGES:
         change(home)
     assert len(home.play()[0].teams) == 6
+
+
+def test_draws_that_an_older_version_stored_are_read(tmp_path):
+    home = Home(tmp_path, SWISS, TEAMS)
+    home.play()
+    with home.opened() as tournament:
+        tournament.store.keep_drawn({**asdict(tournament.drawn), "by_exchanges": False})
+    assert home.play()[1].jobs == []
 
 
 def test_the_order_of_the_file_changes_nothing_after_the_draw(tmp_path):
