@@ -190,7 +190,7 @@ def chosen(shape: Shape, node: Node) -> Shape:
         known = [sum(_weights(bare(member).kind).get(key, 0) for key in node.entries) for member in fitting]
         fitting = [member for member, count in zip(fitting, known, strict=True) if count == max(known)]
         # To look for misspelt keys takes long.
-        return fitting[0] if len(fitting) == 1 else max(fitting, key=lambda one: _misspelt_keys(bare(one).kind, node))
+        return fitting[0] if len(fitting) == 1 else max(fitting, key=lambda one: _likeness(bare(one).kind, node))
     return fitting[0] if fitting else None
 
 
@@ -207,9 +207,11 @@ def _weights(model: type[BaseModel]) -> dict[str, int]:
     return {info.alias or name: 1 + info.is_required() for name, info in model.model_fields.items()}
 
 
-def _misspelt_keys(model: type[BaseModel], node: Entries) -> int:
+def _likeness(model: type[BaseModel], node: Entries) -> tuple[int, int]:
+    """Return how likely a model is meant: it lacks few keys, and keys that it does not know are misspelt ones of it."""
     known = fields(model)
-    return sum(key not in known and nearest(key, known) is not None for key in node.entries)
+    missing = sum(weight > 1 and key not in node.entries for key, weight in _weights(model).items())
+    return -missing, sum(key not in known and nearest(key, known) is not None for key in node.entries)
 
 
 def _fits(kind: Any, node: Node) -> bool:

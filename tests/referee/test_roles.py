@@ -331,6 +331,7 @@ def test_what_a_test_decides_of_a_role_that_begins_with_none_comes_when_it_is_as
         ("roles: {r: {of: [ball]}}\nrules: {x: {triggers: [{trigger: half_started}], actions: [{action: score, entrant: r}]}}", "wrong-kind"),
         ("roles: {r: {of: robots}}\nrules: {x: {triggers: [{trigger: half_started}], actions: [{action: assign, role: r, to: ball}]}}", "never-drawn"),
         ("roles: {r: {of: robots}}\nrules: {x: {for_each: r, triggers: [{trigger: half_started}], actions: [{action: end}]}}", "wrong-kind"),
+        ("expect: {t: {keyframes: [{at_s: 0}], lasts_s: 1, roles: {x: Y1}}}", "unknown-name"),
         ("roles: {r: {of: robots}}\ncounters: {c: {per: r}}", "unbound-name"),
         ("roles: {r: {of: robots}}\ntimers: {t: {lasts_s: {distance: [r, ball]}}}", "unbound-name"),
     ],

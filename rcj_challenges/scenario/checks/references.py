@@ -299,7 +299,7 @@ class _Walker:
         """Check the values of draws that a test decides: one, or several in order."""
         for at, block in ((path, test), ((*path, "given"), test.entries.get("given"))):
             for name, value in _entries(child(block, "roles")):
-                members = [*self.roster.roles.get(name, ()), "none"]
+                members = [*self.roster.roles[name], "none"] if name in self.roster.roles else []
                 self._among(members, value, (*at, "roles", name), f"can never have the role '{name}'")
         for name, value in _entries(test.entries.get("draws")):
             known = [one.value for _, one in self._values_of(Leaf(name, value.mark))]

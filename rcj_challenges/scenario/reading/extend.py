@@ -131,7 +131,7 @@ def read_chain(source: Source) -> list[Source]:
 
 
 def _old(now: Node) -> Diagnostic:
-    message = "this is how version 1 of the language said it"
+    message = "this form is of version 1 of the language"
     return now.mark.error(codes.OLD_LANGUAGE, message, f"write {on_one_line(plain(now))}")
 
 
