@@ -168,6 +168,8 @@ CASES = [
      ("params: {n: 3}\ncounters: {m: {}}", TOLD.replace("It is so.", "'{n} of {m}.'") + rule("a", "{trigger: half_started}", "{action: count, counter: m}"))),
     ("placeholder-never-filled", (EMPTY, TOLD.replace("It is so.", "'{each} is so.'")),
      (EMPTY, TOLD.replace("It is so.", "'{team} is so.'"))),
+    ("placeholder-never-filled", (EMPTY, rule("a", "{trigger: displaced, entity: ball, angle_rad: 1}").replace("It is so.", "'{limit}.'")),
+     (EMPTY, rule("a", "{trigger: displaced, entity: ball, distance_m: 1}").replace("It is so.", "'{limit}.'"))),
     ("off-the-field", ("zones: {here: {shape: circle, centre_m: [3, 0], radius_m: 0.1}}", rule("a", "{trigger: enters, entity: ball, zone: here}")),
      ("zones: {here: {shape: circle, centre_m: [0.3, 0], radius_m: 0.1}}", rule("a", "{trigger: enters, entity: ball, zone: here}"))),
     ("robot-without-program", ("entrants: {yellow: {robots: {Y1: null}}}", EMPTY),

@@ -95,6 +95,12 @@ def test_the_sheet_has_a_sentence_of_its_own_where_what_is_so_is_not_what_has_ha
     )  # fmt: skip
 
 
+def test_a_draw_is_open_or_what_is_drawn():
+    rule = f"triggers: [{{trigger: half_started}}], {END}, says: '{{target}} is worth {{bonus}} points.'"
+    draws = "draws: {bonus: {values: [1, 2]}, target: {values: [blue_goal, yellow_goal]}}"
+    assert spoken(rule, draws) == "The zone drawn as “target” is worth … points."
+
+
 def test_a_role_of_other_things_than_robots_is_named_with_its_kind():
     rule = f"triggers: [{{trigger: half_started}}], {END}, says: '{{delivered}} waits for {{thrower}}'"
     roles = "roles: {delivered: {of: [ball]}, thrower: {of: robots}}"

@@ -188,7 +188,8 @@ class PlaceholderNeverFilled(LintRule, code="placeholder-never-filled"):
     def _why_empty(blank: str, rule: Rule) -> str:
         if blank in ("each", "others") and rule.for_each is None:
             return "this rule has no for_each"
-        if blank == "limit" and not any(one.LIMIT or one.measures_its_limit() for one in rule.triggers):
+        limits = (getattr(one, one.LIMIT, None) or one.measures_its_limit() for one in rule.triggers)
+        if blank == "limit" and not any(limits):
             return "no trigger of this rule has a limit"
         if blank == "points" and not rule.effects(Scores):
             return "this rule gives no points"

@@ -35,7 +35,11 @@ def says_sentence(phrases: Phrasebook, rule: Rule) -> str:
         "points": (OPEN,) * 2,
     }
     named = dict.fromkeys(scenario.counters, (OPEN, OPEN))
-    named |= {name: (phrases.thing(name),) * 2 for name in scenario.roles}
+    things = (
+        *scenario.roles,
+        *(name for name in scenario.draws if phrases.one_kind(phrases.roster.drawn.get(name, ()))),
+    )
+    named |= dict.fromkeys(scenario.draws, (OPEN, OPEN)) | {name: (phrases.thing(name),) * 2 for name in things}
     return as_sentence(fill_generally(words, named | blanks).replace(f"{OPEN}.", OPEN))
 
 
