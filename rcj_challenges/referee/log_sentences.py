@@ -37,7 +37,8 @@ def fill_blanks(says: str, state: State, firing: Firing) -> str:
     def fill(found: re.Match[str]) -> str:
         name, after = found.groups()
         if name not in filled:
-            return f"{_named(name, state, firing) or found[0].removesuffix(after)}{after}"
+            is_known = name in state.draws or name in state.counters
+            return f"{_named(name, state, firing)}{after}" if is_known else found[0]
         return counted(points) if after and name == "points" else f"{filled[name]}{after}"
 
     # One pass from left to right, so that a team called "{limit}" stays just that.
@@ -47,11 +48,12 @@ def fill_blanks(says: str, state: State, firing: Firing) -> str:
 def _named(name: str, state: State, firing: Firing) -> str:
     """Return what a counter, a draw or a role is now: of a counter that each has, that of the rule's own."""
     if name in state.draws:
-        return plain(str(state.draws[name] or ""))
-    kept = state.counters.get(name)
+        drawn = state.draws[name]
+        return "none" if drawn is None else plain(str(drawn))
+    kept = state.counters[name]
     owned = kept if isinstance(kept, dict) else {}
     owner = next((one for one in (firing.rule.each, firing.rule.entrant, firing.subject) if one in owned), None)
-    return "" if name not in state.counters else _format_number(state.counter(name, owner), _DECIMALS)
+    return _format_number(state.counter(name, owner), _DECIMALS) or "none"
 
 
 def _format_number(number: float | None, decimals: int) -> str:

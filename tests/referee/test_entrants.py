@@ -72,6 +72,14 @@ class TestRulesForEachEntrant:
         )
         assert play.firings[-1].says == "blue has 3 fouls of 2 bumps; yellow waits for B2, {nothing}."
 
+    def test_the_log_shows_that_there_is_none_and_what_is_0(self, fouled):
+        play = fouled(
+            "{action: assign, role: wanted, to: none}",
+            "roles: {wanted: {of: [B1, B2]}}\ndraws: {bonus: {values: [0]}}\ncounters: {best_m: {keeps: lowest}}",
+            says="{wanted}, {bonus}, {best_m}",
+        )
+        assert play.firings[-1].says == "none, 0, none"
+
     def test_without_entity_flags_and_timers_are_those_of_the_team(self, fouled):
         play = fouled(
             "{action: set_flag, flag: warned}, {action: timer, timer: rest}",
