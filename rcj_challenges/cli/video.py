@@ -75,29 +75,29 @@ def video(
         raise RcjError(f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}", code=BAD_SPEED)
     start_s, stop_s = (None if text is None else clips.parse_seconds(text) for text in (from_, to))
     folder, footage = open_footage(run, runs)
-    shown = clips.clips_between(footage, start_s, stop_s, half)
+    parts = clips.clips_between(footage, start_s, stop_s, half)
     if highlights:
-        shown = clips.highlights(footage, shown)
+        parts = clips.highlights(footage, parts)
+    shown = clips.moments(footage, parts, float(rate), speed)
     path = output_file(out, folder / ("highlights.mp4" if highlights else "video.mp4"))
     console = console_for(to_stderr=True)
     with make.opened_renderer(footage, size_px, camera) as draw:
         if not quiet:
             print_lines(console, *footage.warnings)
-        total = clips.frame_count(shown, float(rate), speed)
         begin = time.perf_counter()
         with Progress(
             "video", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), "left",
             console=console, transient=True, disable=quiet or not console.is_terminal,
         ) as bars:  # fmt: skip
-            task = bars.add_task("", total=total)
+            task = bars.add_task("", total=len(shown))
             make.write_video(
-                draw, footage, shown, path, size=size_px, fps=rate, speed=speed,
-                progress=lambda done, _: bars.update(task, completed=done),
+                draw, footage, shown, path, size=size_px, fps=rate,
+                progress=lambda done: bars.update(task, completed=done),
             )  # fmt: skip
         took_s = time.perf_counter() - begin
     if not quiet:
-        speed_note = f"{total / took_s:.0f} a second"
-        print_lines(console, f"{total / float(rate):.1f} s of video, {total} pictures, {speed_note}")
+        speed_note = f"{len(shown) / took_s:.0f} a second"
+        print_lines(console, f"{len(shown) / float(rate):.1f} s of video, {len(shown)} pictures, {speed_note}")
     sys.stdout.write(f"{path}\n")
 
 

@@ -10,7 +10,7 @@ from rcj_challenges.core.play import HalfInfo, RefereeOutput
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.naming import score_so_far, shown_names, team_names
+from rcj_challenges.views.naming import score_so_far, seat_colours, shown_names, team_names
 from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.sentences import Reasons, clock
 from rcj_challenges.views.timeline import TimelineBuilder, TimelineEvent
@@ -32,12 +32,7 @@ class Commentator:
 
     def __init__(self, scenario: Scenario) -> None:
         self._builder = TimelineBuilder(scenario, _MAX_UNANNOUNCED)
-        self.colours = {
-            seat: scenario.robots[robot].colour
-            for seat, entrant in scenario.entrants.items()
-            for robot in list(entrant.robots)[:1]
-            if robot in scenario.robots
-        }
+        self.colours = seat_colours(scenario)
         self._reasons = Reasons(scenario)
         self._half: HalfInfo
 

@@ -20,6 +20,13 @@ def changes_sides(scenario: Scenario) -> bool:
     return scenario.match.swap_sides and scenario.match.halves > 1
 
 
+def seat_colours(scenario: Scenario) -> dict[str, str]:
+    """Return by seat the colour of its first robot as the scenario has it; seats without robots are left out."""
+    robots = scenario.robots
+    owned = {seat: [one for one in entrant.robots if one in robots] for seat, entrant in scenario.entrants.items()}
+    return {seat: robots[names[0]].colour for seat, names in owned.items() if names}
+
+
 def titles(scenario: Scenario, result: RunResult) -> dict[str, str]:
     """Return distinct names of the teams, by their seats of the first half."""
     names = {team: entrant.name or team for team, entrant in result.entrants.items()}

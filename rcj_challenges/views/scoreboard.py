@@ -71,25 +71,19 @@ def ranking_lines(
 ) -> list[str]:
     """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score decides."""
     rows = ranking_rows(rank, shown_names(names, sides_change=sides_change), ranking)
-    return [f"place {place}: {team}, {values}" for place, team, values in rows]
+    return [f"{place}: {team}, {values}" for place, team, values in rows]
 
 
 def ranking_rows(
     rank: Sequence[Ranked], names: Mapping[str, str], ranking: Sequence[Mapping[str, Any]]
-) -> list[tuple[int, str, str]]:
-    """Return place, name and what was compared, ``score 4, time 9.248 s``, by the arguments of `ranking_lines`."""
-    if decided_by_score_alone(rank):
-        return []
-    return [
-        (
-            entry["place"],
-            names[entry["team"]],
-            ", ".join(
-                criterion_words(one, number_words(value)) for one, value in zip(rank, entry["values"], strict=True)
-            ),
-        )
-        for entry in ranking
-    ]
+) -> list[tuple[str, str, str]]:
+    """Return ``place 1``, name and what was compared, ``score 4, time 9.248 s``, as of `ranking_lines`."""
+
+    def words(values: Sequence[float | None]) -> str:
+        return ", ".join(criterion_words(one, number_words(value)) for one, value in zip(rank, values, strict=True))
+
+    rows = () if decided_by_score_alone(rank) else ranking
+    return [(f"place {row['place']}", names[row["team"]], words(row["values"])) for row in rows]
 
 
 def pace(progress: Progress) -> str:

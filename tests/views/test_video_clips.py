@@ -10,7 +10,6 @@ from rcj_challenges.views.timeline import Timeline
 from rcj_challenges.views.video.clips import (
     Clip,
     clips_between,
-    frame_count,
     highlights,
     moment_at,
     moments,
@@ -73,8 +72,8 @@ def test_times_that_were_not_played_are_refused(footage, request_of, code):
 @pytest.mark.parametrize(("speed", "pictures"), [(4.0, 19), (0.5, 150), (1.0, 75)])
 def test_speed_changes_the_number_of_frames(footage, speed, pictures):
     clips = clips_between(footage, 2.0, 5.0, None)
-    shown = list(moments(footage, clips, 25.0, speed))
-    assert len(shown) == frame_count(clips, 25.0, speed) == pictures
+    shown = moments(footage, clips, 25.0, speed)
+    assert len(shown) == pictures
     assert shown[1].t_s - shown[0].t_s == pytest.approx(speed / 25)
     assert all(2.0 <= moment.t_s < 5.0 for moment in shown)
 

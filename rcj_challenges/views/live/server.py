@@ -141,26 +141,13 @@ class _Handler(BaseHTTPRequestHandler):
     }
 
     def do_GET(self) -> None:
-        """Show the page, the feed or the replay."""
-        if (path := self._path()) == "/":
-            self._answer(200, self.server.served.page, _HTML)
-        elif path == "/feed":
-            self._feed()
-        elif path == "/replay.html":
-            self._replay()
+        """Show the page, the feed or the replay, or steer the match."""
+        if (path := self._path()) is not None:
+            served = {"/": self._page, "/feed": self._feed, "/replay.html": self._replay, "/steer": self._steer}
+            served[path]()
 
-    do_HEAD = do_GET  # noqa: N815 - the name that http.server looks for
-
-    def do_POST(self) -> None:
-        """Steer the match."""
-        if self._path() == "/steer":
-            self._steer()
-
-    def do_OPTIONS(self) -> None:
-        """Refuse requests from other origins."""
-        self._refuse(403, "not from here")
-
-    do_PUT = do_DELETE = do_PATCH = do_POST  # noqa: N815 - the names that http.server looks for
+    # The names that http.server looks for.
+    do_HEAD = do_POST = do_PUT = do_DELETE = do_PATCH = do_OPTIONS = do_GET  # noqa: N815
 
     # --- access -----------------------------------------------------------------------------------------------------
 
@@ -189,6 +176,9 @@ class _Handler(BaseHTTPRequestHandler):
         return None
 
     # --- answers ----------------------------------------------------------------------------------------------------
+
+    def _page(self) -> None:
+        self._answer(200, self.server.served.page, _HTML)
 
     def _feed(self) -> None:
         served = self.server.served

@@ -13,7 +13,6 @@ from typing import Any, Self
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY
-from rcj_challenges.records.logos import LogoError
 from rcj_challenges.records.result import read_result
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.codes import PORT_TAKEN
@@ -21,7 +20,7 @@ from rcj_challenges.views.live.encoder import LiveObserver, live_facts
 from rcj_challenges.views.live.feed import Feed, json_message
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.server import HOST, ServedMatch, SpectatorServer
-from rcj_challenges.views.replay.page import LIVE_PAGE, about_run, logo_address, no_logo, page_text, places
+from rcj_challenges.views.replay.page import LIVE_PAGE, about_run, add_logos, page_text, places
 
 _FLUSH_EVERY_S = 0.1
 """Three ticks at real time: fine enough to be smooth, rare enough to cost a fast match nothing."""
@@ -61,7 +60,7 @@ class LiveShow:
         self.observer = LiveObserver(scenario, self._feed, self.pace)
         match = secrets.token_urlsafe(9)
         facts = live_facts(scenario, dict(titles), seed)
-        self._no_logos = _add_logos(facts, logos or {})
+        self._no_logos = add_logos(facts, (logos or {}).get)
         page = page_text({**facts, "match": match}, {}, kind=LIVE_PAGE).encode()
         self._served = ServedMatch(page, match, self._feed, self.pace, secrets.token_urlsafe(24))
         try:
@@ -128,18 +127,6 @@ class LiveShow:
     def _flush_regularly(self) -> None:
         while not self._ended.wait(_FLUSH_EVERY_S):
             self.observer.flush()
-
-
-def _add_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple[str, str]]:
-    """Add the teams' logos to the facts; returns why others are not shown."""
-    missing = []
-    for team in (team for team in facts["teams"] if team["name"] in logos):
-        try:
-            team["logo"] = logo_address(logos[team["name"]])
-        except LogoError as error:
-            missing.append(no_logo(team["title"], error))
-    facts["about"] += missing
-    return missing
 
 
 def _port_error(port: int, error: OSError) -> RcjError:

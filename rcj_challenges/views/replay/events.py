@@ -13,6 +13,7 @@ from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.naming import seat_colours
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.sentences import Reasons, event_title, fault_sentence
@@ -52,11 +53,7 @@ class EventFacts:
         self._reasons = Reasons(scenario)
         self._seats = tuple(scenario.entrants)
         self._names = {seat: entrant.title or seat for seat, entrant in scenario.entrants.items()} | dict(names)
-        self._colours = {
-            seat: css_colour(scenario.robots[next(iter(entrant.robots))].colour)
-            for seat, entrant in scenario.entrants.items()
-            if next(iter(entrant.robots), None) in scenario.robots
-        }
+        self._colours = {seat: css_colour(colour) for seat, colour in seat_colours(scenario).items()}
 
     def of_timeline(self, timeline: Timeline) -> list[dict[str, Any]]:
         """Return all events of a run, in the order of time."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -85,7 +86,7 @@ def write_replay(folder: Path, run: RunRecord | None = None) -> Path:
     facts = _facts(run, frames, unit_m)
     blocks = {half.info.half: packed(moving) for half, moving in zip(run.halves, frames, strict=True)}
     more = _sensor_blocks(facts, folder)
-    _add_logos(facts, folder, run.scenario.entrants)
+    add_logos(facts, partial(_recorded_logo, folder, run.scenario.entrants))
     path = folder / REPLAY
     with replaced(path) as file:
         file.write(page_text(facts, blocks, more).encode())
@@ -115,29 +116,22 @@ def _sensor_blocks(facts: dict[str, Any], folder: Path) -> dict[str, str]:
     return blocks
 
 
-def _add_logos(facts: dict[str, Any], folder: Path, seats: Collection[str]) -> None:
-    """Add the teams' logos to the facts, or why one cannot be shown; only seats of the scenario are names of files."""
-    for team in [team for team in facts["teams"] if team["name"] in seats]:
-        path = logo_path(folder, team["name"])
+def add_logos(facts: dict[str, Any], logo_of: Callable[[str], bytes | None]) -> list[tuple[str, str]]:
+    """Add the teams' logos to the facts: checked and encoded again, as addresses. Returns why others are not shown."""
+    missing = []
+    for team in facts["teams"]:
         try:
-            if path.is_file() and path.stat().st_size <= MAX_LOGO_BYTES:
-                team["logo"] = logo_address(path.read_bytes())
+            if (logo := logo_of(team["name"])) is not None:
+                team["logo"] = "data:image/png;base64," + base64.b64encode(checked_png(logo)).decode("ascii")
         except (LogoError, OSError) as error:
-            facts["about"].append(no_logo(team["title"], error))
+            missing.append(("logo", f"that of {team['title']} is not shown: {error}"))
+    facts["about"] += missing
+    return missing
 
 
-def logo_address(logo: bytes) -> str:
-    """Return a team's logo as the page carries it: checked, encoded again, as a data address.
-
-    Raises:
-        LogoError: it cannot be shown.
-    """
-    return "data:image/png;base64," + base64.b64encode(checked_png(logo)).decode("ascii")
-
-
-def no_logo(title: str, why: Exception) -> tuple[str, str]:
-    """Return the line beside the field for a logo that is not shown."""
-    return "logo", f"that of {title} is not shown: {why}"
+def _recorded_logo(folder: Path, seats: Collection[str], team: str) -> bytes | None:
+    path = logo_path(folder, team) if team in seats else None  # a damaged record may have other names
+    return path.read_bytes() if path is not None and path.is_file() and path.stat().st_size <= MAX_LOGO_BYTES else None
 
 
 def _facts(run: RunRecord, frames: list[Frames], unit_m: float) -> dict[str, Any]:
@@ -193,12 +187,8 @@ def fault_facts(faults: Iterable[Fault]) -> list[dict[str, Any]]:
 
 def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
     """Return the ranking with what decided it, best first; empty if the score decides alone."""
-    names = titles(scenario, result)
-    ranking = [entry.model_dump() for entry in result.ranking]
-    return [
-        {"place": f"place {place}", "team": team, "values": values}
-        for place, team, values in ranking_rows(scenario.result.rank, names, ranking)
-    ]
+    rows = ranking_rows(scenario.result.rank, titles(scenario, result), [one.model_dump() for one in result.ranking])
+    return [{"place": place, "team": team, "values": values} for place, team, values in rows]
 
 
 def about_run(result: RunResult) -> list[tuple[str, str]]:

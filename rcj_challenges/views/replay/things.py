@@ -16,6 +16,7 @@ from rcj_challenges.scenario.positions import at_start
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import fixed_spots, spots_set_by_rules
 from rcj_challenges.scenario.walk import walk
+from rcj_challenges.views.naming import seat_colours
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.standing import counted_names, shows_score
 
@@ -147,9 +148,7 @@ def _body(kit: Kit) -> dict[str, Any]:
 
 
 def _seat_colour(scenario: Scenario, name: str) -> str:
-    robots = scenario.entrants[name].robots
-    colours = [scenario.robots[robot].colour for robot in robots if robot in scenario.robots]
-    return css_colour(colours[0] if colours else "grey")
+    return css_colour(seat_colours(scenario).get(name, "grey"))
 
 
 def _initials(scenario: Scenario) -> dict[str, str]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from rcj_challenges.core.errors import RcjError
@@ -118,22 +117,14 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
     return found
 
 
-def frame_count(clips: list[Clip], fps: float, speed: float) -> int:
-    """Return the number of frames of the clips."""
-    return sum(_frames_of(clip, fps, speed) for clip in clips)
-
-
-def moments(footage: Footage, clips: list[Clip], fps: float, speed: float) -> Iterator[Moment]:
-    """Yield the content of each frame: ``fps`` frames for each second of video, ``speed`` s of the match in each."""
-    for clip in clips:
-        half = footage.half(clip.half)
-        for frame in range(_frames_of(clip, fps, speed)):
-            yield Moment(half, clip.from_s + frame * speed / fps, speed)
-
-
-def _frames_of(clip: Clip, fps: float, speed: float) -> int:
-    # The small amount absorbs rounding: 6 s at 30 a second are 180 frames.
-    return max(1, math.ceil((clip.to_s - clip.from_s) / speed * fps - 1e-6))
+def moments(footage: Footage, clips: list[Clip], fps: float, speed: float) -> list[Moment]:
+    """Return the content of each frame: ``fps`` frames for each second of video, ``speed`` s of the match in each."""
+    return [
+        Moment(footage.half(clip.half), clip.from_s + frame * speed / fps, speed)
+        for clip in clips
+        # The small amount absorbs rounding: 6 s at 30 a second are 180 frames.
+        for frame in range(max(1, math.ceil((clip.to_s - clip.from_s) / speed * fps - 1e-6)))
+    ]
 
 
 def _chosen(footage: Footage, half: int | None) -> list[HalfFootage]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
@@ -16,7 +16,7 @@ from rcj_challenges.records.folder import replaced
 from rcj_challenges.views.codes import BAD_SIZE
 from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.video.camera import Camera
-from rcj_challenges.views.video.clips import Clip, Moment, frame_count, moments
+from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.opengl import offscreen_opengl
 from rcj_challenges.views.video.overlay import Overlay
@@ -92,31 +92,20 @@ def write_snapshot(draw: Draw, moment: Moment, path: Path) -> None:
 
 
 def write_video(
-    draw: Draw,
-    footage: Footage,
-    clips: list[Clip],
-    path: Path,
-    *,
-    size: tuple[int, int],
-    fps: Fraction,
-    speed: float,
-    progress: Callable[[int, int], None] | None = None,
-) -> int:
-    """Write clips as one MP4, see `mp4.opened_mp4`. Returns the number of frames.
+    draw: Draw, footage: Footage, shown: Sequence[Moment], path: Path, *, size: tuple[int, int], fps: Fraction,
+    progress: Callable[[int], None],
+) -> None:  # fmt: skip
+    """Write moments as one MP4 of ``fps`` frames a second, see `mp4.opened_mp4`.
 
-    ``size`` in pixels is that of the pictures that ``draw`` returns; ``fps`` are frames, ``speed`` seconds of the match
-    in a second of video; ``progress`` is called with (frames done, frames in total) after each frame.
+    ``size`` in pixels is that of the pictures that ``draw`` returns; ``progress`` gets the number of frames so far.
 
     Raises:
         RcjError: the file cannot be written.
     """
     from rcj_challenges.views.video.mp4 import opened_mp4  # noqa: PLC0415 - a snapshot needs no av
 
-    total = frame_count(clips, float(fps), speed)
     names = " - ".join(sanitize(title, 60) for title in footage.titles.values())
     with opened_mp4(path, size, fps, f"{names}: {sanitize(footage.scenario.title, 100)}") as add:
-        for done, moment in enumerate(moments(footage, clips, float(fps), speed), 1):
+        for done, moment in enumerate(shown, 1):
             add(draw(moment))
-            if progress is not None:
-                progress(done, total)
-    return total
+            progress(done)
