@@ -164,7 +164,7 @@ def test_after_a_premiere_all_of_it_can_be_seen(premiere: Callable[..., Any]) ->
     until(page, "replay.recording.over")
     assert page.evaluate("replay.recording.last") == 2 * TICKS + 1
     page.evaluate("replay.seek(1, 0)")
-    assert page.locator(".score").all_inner_texts() == ["0", "0"]
+    until(page, "[...document.querySelectorAll('.score')].map((score) => score.innerText).join() === '0,0'")
 
 
 @pytest.mark.nightly
