@@ -211,11 +211,11 @@ def _course(match: ScriptedMatch, differences: Iterable[str]) -> Iterable[str]:
 
 def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
     """Return notes on draws and spots that chance decided less often than the test decides them."""
-    for name, left in match.referee.undecided.items():
+    for name, left in match.referee.undecided().items():
         series = series_of(expected.draws[name])
         drawn = len(series) - len(left)
         yield f"note: {name} was drawn {times(drawn)}; draws decides {counted(len(series), 'value')}"
-    for name, missing in match.referee.undecided_spots.items():
+    for name, missing in match.referee.undecided_spots().items():
         places = len(places_of((expected.spots or {})[name]))
         decides = "a place" if places == 1 else f"{places} places"
         yield f"note: chance set {name} {times(places - missing)}; spots decides {decides}"
@@ -224,13 +224,16 @@ def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
 def _kept(scenario: Scenario, roster: Roster, given: Given, kept: Mapping[str, Any]) -> dict[str, Any]:
     """Return what the half before left, and what a test presets as if it had; members without a preset are at first."""
     roles = {role: None if name == "none" else name for role, name in given.roles.items()}
+    presets: tuple[tuple[str, Mapping[str, Counter | Flag], Mapping[str, Any]], ...] = (
+        ("counters", scenario.counters, given.counters), ("flags", scenario.flags, given.flags),
+    )  # fmt: skip
     return (
         dict(kept)
         | {"draws": kept.get("draws", {}) | roles}
         | {
             section: kept.get(section, {})
             | {name: _preset(entries[name], value, roster) for name, value in preset.items()}
-            for section, entries, preset in _presets(scenario, given)
+            for section, entries, preset in presets
         }
     )
 
@@ -241,13 +244,6 @@ def _preset(entry: Counter | Flag, value: Any, roster: Roster) -> Any:
     members = () if entry.per is None else roster.keepers(entry.per)
     found = dict.fromkeys(members, entry.first) | (value if isinstance(value, dict) else dict.fromkeys(members, value))
     return {member: one if one is None or isinstance(one, bool) else round_score(one) for member, one in found.items()}
-
-
-def _presets(
-    scenario: Scenario, given: Given
-) -> tuple[tuple[str, Mapping[str, Any], Mapping[str, Scalar | dict[str, Any]]], ...]:
-    """Return sections of a scenario with their entries, and what a test presets of them."""
-    return ("counters", scenario.counters, given.counters), ("flags", scenario.flags, given.flags)
 
 
 def _play_until(match: ScriptedMatch, tick: int) -> None:

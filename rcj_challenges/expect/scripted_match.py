@@ -72,15 +72,13 @@ class ScriptedMatch:
         self.firings: list[Firing] = []
         self.placements: list[tuple[int, Placement]] = []
         entities = len(roster.entities)
-        self._poses: list[Pose2] = [_start(scenario, name) for name in roster.entities]
+        self._poses = [_float32(*start_pose(scenario, name)) for name in roster.entities]
         self._uprights = [1.0] * entities
         self._heights = [_STANDING_HEIGHT_M] * entities
         self._glides: dict[int, _Glide] = {}
         self._touching: dict[tuple[int, int], int] = {}
         self._faults: list[Fault] = []
         self._messages: dict[int, list[str]] = {}
-        self._none_touch: tuple[tuple[tuple[int, int], ...], ...] = ((),) * SUBSTEPS_PER_TICK
-        self._frozen: list[list[Pose2]] | None = None
         self._parked: set[int] = set()
         self._by_hand: set[int] = set()
         self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
@@ -121,9 +119,7 @@ class ScriptedMatch:
 
     def tip(self, robot: str) -> None:
         """Let a robot lie on its side from the next tick on."""
-        uprights = list(self._uprights)
-        uprights[self.roster.index[robot]] = 0.0
-        self._uprights = uprights
+        self._uprights[self.roster.index[robot]] = 0.0
 
     def fail(self, robot: str) -> None:
         """Let the program of a robot fail in the next tick."""
@@ -169,25 +165,16 @@ class ScriptedMatch:
     # --- the stage --------------------------------------------------------------------------------------------------
 
     def _stand(self, index: int, x_m: float, y_m: float, yaw_rad: float) -> None:
-        poses = list(self._poses)
-        poses[index] = (float32(x_m), float32(y_m), float32(yaw_rad))
-        self._poses, self._frozen = poses, None
+        self._poses = [*self._poses]
+        self._poses[index] = _float32(x_m, y_m, yaw_rad)
 
     def _snapshot(self) -> Snapshot:
-        if self._glides:
-            substeps = [self._glided() for _ in range(SUBSTEPS_PER_TICK)]
-            self._frozen = None
-        else:
-            if self._frozen is None:
-                self._frozen = [self._poses] * SUBSTEPS_PER_TICK
-            substeps = self._frozen
-        touches = self._none_touch
-        if self._touching:
-            touches = (tuple(sorted(self._touching)),) * SUBSTEPS_PER_TICK
-            self._touching = {pair: left - 1 for pair, left in self._touching.items() if left > 1}
+        substeps = [self._glided() if self._glides else self._poses for _ in range(SUBSTEPS_PER_TICK)]
+        touches = (tuple(sorted(self._touching)),) * SUBSTEPS_PER_TICK
+        self._touching = {pair: left - 1 for pair, left in self._touching.items() if left > 1}
         faults, self._faults = tuple(self._faults), []
         messages = tuple((robot, texts.pop(0)) for robot, texts in sorted(self._messages.items()) if texts)
-        return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults, messages)
+        return Snapshot(self.tick, substeps, self._heights, [*self._uprights], touches, faults, messages)
 
     def _glided(self) -> list[Pose2]:
         """Move what glides by one sub-step; each step is the rest of the way over the sub-steps that are left."""
@@ -195,8 +182,7 @@ class ScriptedMatch:
         for index, glide in list(self._glides.items()):
             here = poses[index]
             goal = (glide.to[0], glide.to[1], glide.to[2] if len(glide.to) > 2 else here[2])
-            x, y, yaw = (a + (b - a) / glide.substeps_left for a, b in zip(here, goal, strict=True))
-            poses[index] = (float32(x), float32(y), float32(yaw))
+            poses[index] = _float32(*(a + (b - a) / glide.substeps_left for a, b in zip(here, goal, strict=True)))
             glide.substeps_left -= 1
             if glide.substeps_left == 0:
                 del self._glides[index]
@@ -220,10 +206,7 @@ class ScriptedMatch:
                 continue
             self._parked.discard(index)
             self._stand(index, placement.x_m, placement.y_m, placement.yaw_rad)
-            if self._uprights[index] < 1.0:
-                uprights = list(self._uprights)
-                uprights[index] = 1.0
-                self._uprights = uprights
+            self._uprights[index] = 1.0
         return output
 
     def _store_broadcast(self) -> None:
@@ -235,6 +218,5 @@ class ScriptedMatch:
             self.received[name] = {**to_all, **to_some.get(robot, {})}
 
 
-def _start(scenario: Scenario, name: str) -> Pose2:
-    x, y, yaw = start_pose(scenario, name)
-    return float32(x), float32(y), float32(yaw)
+def _float32(x_m: float, y_m: float, yaw_rad: float) -> Pose2:
+    return float32(x_m), float32(y_m), float32(yaw_rad)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 from rcj_challenges.core.timing import TICK_S, ticks_from_s
 from rcj_challenges.geometry.regions import Region
@@ -119,14 +119,10 @@ class CompileContext:
     def track(self, kind: type[_T], key: tuple[object, ...], phases: frozenset[str] | None, *args: Any) -> _T:
         """Return the tracker that follows ``key`` in some phases; rules that follow the same share it."""
         full = (kind, *key, phases)
-        tracker = self._shared.get(full)
-        if tracker is None:
-            tracker = self._shared[full] = kind(self.state, self.hits, *args)
-            self.track_alone(tracker, phases)
-        if not isinstance(tracker, kind):
-            message = f"two kinds of trackers under one key: {full}"
-            raise TypeError(message)
-        return tracker
+        if full not in self._shared:
+            self._shared[full] = kind(self.state, self.hits, *args)
+            self.track_alone(self._shared[full], phases)
+        return cast("_T", self._shared[full])
 
     def track_alone(self, tracker: Tracker, phases: frozenset[str] | None) -> None:
         """Follow a tracker that is not shared."""

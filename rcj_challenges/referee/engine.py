@@ -23,7 +23,6 @@ from rcj_challenges.referee.placement import AT_REST, PlacementJob, apply_placem
 from rcj_challenges.referee.ranking import RankedValues
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Places
-from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.places import place_of
 from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.scenario.draw_order import Series
@@ -54,9 +53,10 @@ class Referee:
         spots: where the spots are now, by name: [x, y] in m.
         rounds: in which rules fire.
         ranked: returns the values by which entrants are ranked, as `RankedValues.read`.
+        undecided, undecided_spots: return what was decided beforehand and has not come, as those of `State` do.
 
     Raises:
-        ValueError: ``draws`` names no draw, or a value that it cannot have; or a name in the scenario is unknown.
+        ValueError: ``draws`` names no draw, or a value that it cannot have.
     """
 
     def __init__(
@@ -67,6 +67,7 @@ class Referee:
         self._half = half
         self.scores, self.counters, self.flags = self._state.scores, self._state.counters, self._state.flags
         self.draws, self.spots = self._state.draws, self._state.spots
+        self.undecided, self.undecided_spots = self._state.undecided, self._state.undecided_spots
         self._context = CompileContext(self._state)
         self._context.emit = self._emit
         self.rounds = Rounds(self._state, self._context.hits, self._enter_phase)
@@ -104,16 +105,6 @@ class Referee:
         """By robot, whether it is held, by a rule or by the phase."""
         roster = self._state.roster
         return {name: self._state.held.holds(robot) for robot, name in enumerate(roster.entities[: roster.robots])}
-
-    @property
-    def undecided(self) -> dict[str, list[Scalar]]:
-        """Of the values of draws that were decided beforehand those that have not come, by draw."""
-        return self._state.undecided()
-
-    @property
-    def undecided_spots(self) -> dict[str, int]:
-        """How many of the places that were decided beforehand have not come, by spot."""
-        return self._state.undecided_spots()
 
     @property
     def missed(self) -> list[tuple[str, Missed]]:
@@ -321,7 +312,7 @@ class Referee:
         placements, failed = carry_out(jobs, state, self._context.bodies)
         for job in failed:
             self._log_no_room(job)
-            if job.spec is not None and job.spec.retry:
+            if job.spec is not None and job.spec.how.waits:
                 self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, is_logged=True))
             elif job.instead_of is not None and not state.present[job.entity]:
                 # An entity that was to be removed and placed in one tick, and stays, was never off.

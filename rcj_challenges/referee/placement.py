@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import sqrt
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
 Velocity = tuple[float, float]
 """Of x and y, in m/s."""
 
-_ALL_ATTEMPTS = sys.maxsize
 AT_REST: Velocity = (0.0, 0.0)
 
 ATTEMPTS_WAITING = 4
@@ -48,11 +46,6 @@ class PlacementSpec:
     mirrors: tuple[Callable[[], Point], ...]
     stream: str
     kick: CompiledKick | None = None
-
-    @property
-    def retry(self) -> bool:
-        """Whether it is tried again on every tick while there is no room, `ATTEMPTS_WAITING` times at most."""
-        return self.how.waits
 
     def signs_now(self) -> Point:
         """Return the signs of x and y with all mirrors as they are now."""
@@ -83,10 +76,11 @@ class PlacementSpec:
 
         return PlaceRequest(board, self.entity, mirrored, rng, fits)
 
-    def propose(self, board: PlacementBoard, rng: random.Random, signs: Point, max_attempts: int) -> Pose2 | None:
-        """Return a pose at which the entity can stand, or None if so many attempts find none."""
-        request, noises = self.request(board, rng, signs), self._noises
-        for _ in range(min(self.how.max_attempts, max_attempts) if self.is_random else 1):
+    def propose(self, board: PlacementBoard, rng: random.Random, job: PlacementJob) -> Pose2 | None:
+        """Return a pose at which the entity can stand, or None if all attempts of this tick find none."""
+        request, noises = self.request(board, rng, job.signs), self._noises
+        attempts = min(self.how.max_attempts, ATTEMPTS_WAITING) if job.is_logged else self.how.max_attempts
+        for _ in range(attempts if self.is_random else 1):
             point = self.where.find(request)
             if point is None:
                 return None
@@ -159,11 +153,6 @@ class PlacementJob:
     instead_of: PlacementJob | None = None
     is_logged: bool = False
     aimless: bool = False
-
-    @property
-    def max_attempts(self) -> int:
-        """How often a random place may be drawn for it in this tick, however many its placement allows."""
-        return ATTEMPTS_WAITING if self.is_logged else _ALL_ATTEMPTS
 
 
 class PlacementQueue:
@@ -241,7 +230,7 @@ def _try(jobs: list[PlacementJob], state: State, bodies: Bodies) -> tuple[list[_
         if job.spec is None:
             done.append((job.entity, None, AT_REST))
             continue
-        pose = job.spec.propose(board, state.stream(job.spec.stream), job.signs, job.max_attempts)
+        pose = job.spec.propose(board, state.stream(job.spec.stream), job)
         if pose is None:
             return [], job
         board.place(job.entity, pose)

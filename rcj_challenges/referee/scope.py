@@ -134,26 +134,13 @@ class NameScope:
 
         return members, on_field
 
-    def entities(self, names: Names) -> tuple[int, ...]:
-        return tuple(self.entity(name) for name in self.members(names))
-
-    def entity(self, name: str) -> int:
-        index = self.thing(name)
-        if index >= len(self.roster.entities):
-            message = f"not an entity: {self.roster.things[index]!r}"
-            raise ValueError(message)
-        return index
-
     def things(self, names: Names) -> tuple[int, ...]:
         return tuple(self.thing(name) for name in self.members(names))
 
     def thing(self, name: str) -> int:
-        member = self.members(name)[0]
-        index = self.roster.index.get(member)
-        if index is None:
-            message = f"not an entity or obstacle: {member!r}"
-            raise ValueError(message)
-        return index
+        return self.roster.index[self.members(name)[0]]
+
+    entities, entity = things, thing
 
     def owners(self, section: str, name: str, names: Names | None) -> tuple[str, ...] | None:
         per = getattr(self.scenario, section)[name].per
@@ -185,15 +172,8 @@ class NameScope:
         return lambda: found[str(draws[draw])]
 
     def zone(self, name: str) -> Outlined:
-        """Return the region of one zone.
-
-        Raises:
-            ValueError: there is none of this name.
-        """
-        zone = self.scenario.zones.get(name)
-        if zone is None:
-            message = f"unknown zone {name!r}"
-            raise ValueError(message)
+        """Return the region of one zone."""
+        zone = self.scenario.zones[name]
         if not isinstance(zone, CircleZone) or zone.anchor is None:
             return region_of(zone)
         state, spot, index = self.state, zone.anchor, self.roster.index.get(zone.anchor)
@@ -211,28 +191,17 @@ class NameScope:
         anchor = None if gate.anchor is None else self.entity(gate.anchor)
         return GateLine(gate.from_m, gate.to_m, anchor, self.state)
 
-    def spot_name(self, name: object) -> str:
-        """Return the name of a spot.
-
-        Raises:
-            ValueError: there is no spot of this name.
-        """
-        if not isinstance(name, str) or name not in self.state.spots:
-            message = f"unknown spot {name!r}"
-            raise ValueError(message)
-        return name
-
     def start_of(self, entity: int) -> StartPose:
         name = self.roster.entities[entity]
         return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
 
     def spot(self, name: str) -> Callable[[], Point]:
-        spots, decided = self.state.spots, self._decided(name, self.spot_name)
+        spots, decided = self.state.spots, self._decided(name, str)
         return lambda: spots[decided()]
 
     def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
         spots, members = self.state.spots, self.members(names)
-        points = tuple(spots[self.spot_name(name)] for name in members)
+        points = tuple(spots[name] for name in members)
         if self._set_by_rules.isdisjoint(members):
             return lambda: points
         return lambda: tuple(spots[name] for name in members)
@@ -263,8 +232,8 @@ class NameScope:
         index = roster.index.get(name, len(roster.entities))
         if index < len(roster.entities):
             return Anchor(lambda board: board.poses[index][:2], entity=index)
-        spot, spots = self.spot_name(name), self.state.spots
-        return Anchor(lambda _board: spots[spot])
+        spots = self.state.spots
+        return Anchor(lambda _board: spots[name])
 
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
         return point_sampler({name: self.scenario.zones[name] for name in self.members(zones)})
@@ -306,26 +275,16 @@ class NameScope:
         return lambda: middle
 
     def targets(self, named: Names | Point) -> tuple[Target, ...]:
-        return _targets_of(named, self)
+        if isinstance(named, tuple) and not isinstance(named[0], str):
+            return (_at(lambda: named),)
+        found: list[Target] = []
+        for name in self.members(named):
+            among = self.roster.drawn.get(name)
+            found += [_target(name, self)] if among is None else [_if_drawn(name, one, self) for one in among]
+        return tuple(found)
 
     def half_length_s(self) -> Number:
         return self.state.half_length_s()
-
-
-def _targets_of(named: Names | Point, scope: NameScope) -> tuple[Target, ...]:
-    """Return the target of a name, groups expanded, or of a point.
-
-    Raises:
-        ValueError: it is nothing on the field.
-    """
-    if isinstance(named, tuple) and not isinstance(named[0], str):
-        x_m, y_m = named
-        return (_at(lambda: (x_m, y_m)),)
-    found: list[Target] = []
-    for name in scope.members(named):
-        among = scope.roster.drawn.get(name)
-        found += [_target(name, scope)] if among is None else [_if_drawn(name, one, scope) for one in among]
-    return tuple(found)
 
 
 def _if_drawn(draw: str, name: str, scope: NameScope) -> Target:

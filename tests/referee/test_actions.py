@@ -82,8 +82,8 @@ class TestActionDraw:
             at_tick_10("{action: draw, draw: gate, as: b}", "{action: draw, draw: gate}"),
             draws={"gate": ("a", "c")},
         )
-        assert (play.referee.draws, play.referee.undecided) == ({"gate": "a"}, {"gate": ["c"]})
-        assert (acted(play).referee.draws, play.referee.undecided) == ({"gate": "c"}, {})
+        assert (play.referee.draws, play.referee.undecided()) == ({"gate": "a"}, {"gate": ["c"]})
+        assert (acted(play).referee.draws, play.referee.undecided()) == ({"gate": "c"}, {})
 
     @pytest.mark.parametrize("seed", range(1, 5))
     def test_without_repetition_in_the_match_the_next_half_draws_from_what_is_left(self, stage, seed):
