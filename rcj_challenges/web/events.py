@@ -42,8 +42,8 @@ def has_begun(event: Event) -> bool:
 # --- the freeze -------------------------------------------------------------------------------------------------------
 
 
-def freeze(event: Event, now: datetime, *, waits: bool = True) -> None:
-    """Fix what plays in an event, once all that was in time has been received and checked.
+def freeze(event: Event, now: datetime, *, waits: bool = True) -> bool:
+    """Fix what plays in an event, once all that was in time has been received and checked; return whether it was.
 
     Args:
         event: whose deadline has passed.
@@ -53,12 +53,13 @@ def freeze(event: Event, now: datetime, *, waits: bool = True) -> None:
     with jobs.writing():
         event = Event.objects.select_for_update().get(pk=event.pk)
         if event.closed_at is None or event.frozen_at is not None or not has_all_receipts(event, now):
-            return
+            return False
         if waits and pending(event).exists():
-            return
+            return False
         event.frozen, event.frozen_at = _chosen(event), now
         event.save(update_fields=("frozen", "frozen_at"))
     write(event)
+    return True
 
 
 def _chosen(event: Event) -> list[tuple[int, str, int]]:
@@ -113,25 +114,27 @@ def store_played(event: Event, answer: Mapping[str, Any], now: datetime) -> None
         Event.objects.filter(pk=event.pk).update(plays=False, played_at=now if answer["is_over"] else None)
 
 
-def play(event: Event, now: datetime) -> None:
-    """Have the matches of an event played, or what is left of them."""
-    Event.objects.filter(pk=event.pk).update(plays=True)
+def play(event: Event, now: datetime) -> bool:
+    """Have the matches of an event played, or what is left of them; return whether it is frozen."""
     for job in Job.objects.filter(event=event):
         jobs.try_again(job, now)
+    return Event.objects.filter(pk=event.pk, frozen_at__isnull=False).update(plays=True) > 0
 
 
-def pause(event: Event) -> None:
-    """Stop the matches of an event; a dispatcher ends their process within seconds."""
+def pause(event: Event) -> bool:
+    """Stop the matches of an event; a dispatcher ends their process within seconds. Return whether they were played."""
     with jobs.writing():
-        Event.objects.filter(pk=event.pk).update(plays=False)
         jobs.cancel(Job.objects.filter(event=event))
+        return Event.objects.filter(pk=event.pk, plays=True).update(plays=False) > 0
 
 
-def delete(event: Event) -> None:
-    """Delete an event whose matches have not begun."""
-    shutil.rmtree(event_folder(event), ignore_errors=True)
+def delete(event: Event) -> bool:
+    """Delete an event, unless its matches have begun or are to; return whether it was."""
     with jobs.writing():
-        event.delete()
+        is_deleted = not has_begun(event) and Event.objects.filter(pk=event.pk, plays=False).delete()[0] > 0
+    if is_deleted:
+        shutil.rmtree(event_folder(event), ignore_errors=True)
+    return is_deleted
 
 
 def _events_of(team: Team) -> Iterator[Event]:

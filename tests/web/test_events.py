@@ -15,7 +15,8 @@ from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.web import deadlines, events, jobs
 from rcj_challenges.web.config import SiteConfig
-from rcj_challenges.web.models import Event, Job, JobState, Match, Season, State, Submission
+from rcj_challenges.web.models import Audit, Event, Job, JobState, Match, Season, State, Submission
+from rcj_challenges.web.views.events import EventForm
 from tests.checker.small_team import PLAYER
 from tests.web.club import new_client
 from tests.web.conftest import NOW, make_team, use_site
@@ -280,8 +281,41 @@ def test_form_can_be_changed_until_the_matches_begin_and_the_deadline_until_it_h
     assert b"too few" not in client.get(address).content
     assert Event.objects.get().deadline == NOW
     (events.event_folder(event) / events.DATA).mkdir()
-    assert client.post(address, {**form, "groups": "1"}).status_code == 400
+    assert client.post(address, {**form, "groups": "1"}).status_code == 409
     assert Event.objects.get().groups == 2
+
+
+def test_page_of_a_form_that_is_refused_shows_the_event_as_it_is(site: SiteConfig) -> None:
+    make_team()
+    event = make_event(deadline=datetime(2099, 3, 14, 13, tzinfo=UTC))
+    answer = organizer().post(f"/desk/events/{event.pk}", {**FORM, "groups": "0", "deadline": "2098-01-01T12:00"})
+    page = answer.content.decode()
+    assert answer.status_code == 400
+    assert "<bdi>Cup</bdi>" in page
+    assert "2099-03-14 13:00" in page
+
+
+def test_deadline_that_passes_while_its_form_is_open_is_not_moved(
+    site: SiteConfig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    make_team()
+    event, client = make_event(deadline=datetime(2099, 3, 14, 13, tzinfo=UTC)), organizer()
+    clean = EventForm.clean_title
+
+    def passes(form: EventForm) -> str:
+        Event.objects.update(closed_at=NOW)
+        return clean(form)
+
+    monkeypatch.setattr(EventForm, "clean_title", passes)
+    assert client.post(f"/desk/events/{event.pk}", {**FORM, "deadline": "2099-05-05T12:00"}).status_code == 409
+    assert Event.objects.get().title == "Cup"
+
+
+def test_freeze_comes_at_the_deadline_at_the_earliest(site: SiteConfig) -> None:
+    make_team()
+    event, client = make_event(deadline=datetime(2099, 3, 14, 13, tzinfo=UTC)), organizer()
+    assert client.post(f"/desk/events/{event.pk}/change", {"act": "freeze"}).status_code == 409
+    assert not Audit.objects.exists()
 
 
 def test_event_is_deleted_while_it_has_not_been_played(site: SiteConfig) -> None:
@@ -296,6 +330,10 @@ def test_event_is_deleted_while_it_has_not_been_played(site: SiteConfig) -> None
     (folder / events.DATA).mkdir()
     assert client.post(change, gone).status_code == 409
     (folder / events.DATA).rmdir()
+    client.post(change, {"act": "play"})
+    assert client.post(change, gone).status_code == 409
+    assert not events.delete(event)  # as it was before somebody else had it played
+    client.post(change, {"act": "pause"})
     assert client.post(change, gone).status_code == 302
     late.refresh_from_db()
     assert (Event.objects.count(), folder.exists(), late.late_for) == (0, False, None)

@@ -355,7 +355,7 @@ def test_page_of_a_match_has_an_origin_of_its_own_and_knows_nothing_of_it(club: 
     policy = dict(one.strip().partition(" ")[::2] for one in answer["Content-Security-Policy"].split(";"))
     assert policy["sandbox"] == "allow-scripts"
     assert (policy["connect-src"], policy["frame-ancestors"], policy["default-src"]) == ("'self'", "'self'", "'none'")
-    facts = json.loads(answer.content.decode().partition('id="facts">')[2].partition("</script>")[0])
+    facts = json.loads(answer.getvalue().decode().partition('id="facts">')[2].partition("</script>")[0])
     assert (facts["halves"], facts["events"], facts["places"]) == ([], [], [])
     assert [team.get("logo") for team in facts["teams"]] == [None, None]
     assert "frame-src 'self'" in club.clients["anonymous"].get("/live")["Content-Security-Policy"]

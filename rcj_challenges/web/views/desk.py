@@ -8,7 +8,7 @@ from datetime import timedelta
 from typing import Any
 
 from django.http import HttpRequest, HttpResponse, HttpResponseBase
-from django.shortcuts import get_object_or_404, redirect
+from django.shortcuts import get_object_or_404
 from django.utils import timezone
 from django.utils.translation import gettext
 
@@ -21,7 +21,7 @@ from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
 from rcj_challenges.web.models import Audit, Entry, Event, Group, Job, JobState, Match, Role, Season, Team, Worker
 from rcj_challenges.web.pages import message_page, page, public_address
-from rcj_challenges.web.views.guards import only
+from rcj_challenges.web.views.guards import done, only
 
 
 @only("organizer")
@@ -60,8 +60,7 @@ def change_season(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
         acts[act](season, timezone.now())
     except RcjError as error:
         return message_page(request, 409, str(error))
-    write_audit(viewer, f"{act} season", season, "", timezone.now())
-    return redirect("desk")
+    return done(viewer, f"{act} season", season, "desk")
 
 
 @only("organizer", post=True)
@@ -75,8 +74,7 @@ def void_match(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBas
         # All may be played again at this time: then the match is there twice.
         same = Match.objects.filter(basis__season=found.basis.season_id, kind=found.kind, number=found.number)
         seasons.void(same, reason)
-        write_audit(viewer, "void", found, reason, timezone.now())
-    return redirect("desk") if found.played_at is None else redirect("match", pk=pk)
+    return done(viewer, "void", found, "/desk" if found.played_at is None else f"/matches/{pk}", reason)
 
 
 @only("organizer", post=True)
@@ -84,8 +82,7 @@ def job_again(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase
     """Put a stuck job back into the queue."""
     job = get_object_or_404(Job, pk=pk)
     jobs.try_again(job, timezone.now())
-    write_audit(viewer, "try again", job, "", timezone.now())
-    return redirect("desk")
+    return done(viewer, "try again", job, "desk")
 
 
 @only("organizer", post=True)
@@ -93,8 +90,7 @@ def release_name(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseB
     """Show a team's own name to all."""
     team = get_object_or_404(Team, pk=pk, deleted_at=None)
     Team.objects.filter(pk=pk).update(is_name_public=True)
-    write_audit(viewer, "release name", f"team {team.pk}", "", timezone.now())
-    return redirect("desk")
+    return done(viewer, "release name", f"team {team.pk}", "desk")
 
 
 @only("organizer", post=True)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
+from copy import copy
 from itertools import chain
 from pathlib import Path
 from typing import Any, ClassVar
@@ -12,7 +14,6 @@ from csp.decorators import csp
 from django import forms
 from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase, JsonResponse
 from django.shortcuts import get_object_or_404, redirect
-from django.urls import reverse
 from django.utils import timezone
 from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_safe
@@ -20,13 +21,13 @@ from django.views.decorators.http import require_GET, require_safe
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.web import deadlines, events
-from rcj_challenges.web.accounts import Viewer, write_audit
+from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.files import FileAnswer
+from rcj_challenges.web.files import file_answer
 from rcj_challenges.web.models import Event, First, Job, JobState, Season
 from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.settings import POLICY
-from rcj_challenges.web.views.guards import only, plain
+from rcj_challenges.web.views.guards import done, only, plain
 from rcj_challenges.web.views.team import REPLAY_POLICY
 
 _PAGE_POLICY = {**POLICY, "script-src": ["'none'"], "img-src": ["'self'", "data:"]}
@@ -68,12 +69,9 @@ def event_file(request: HttpRequest, pk: int, path: str = "index.html") -> HttpR
     site = _site(get_object_or_404(Event, pk=pk))
     if not site.is_dir():
         return redirect("event", pk=pk)
-    try:
-        if not _IS_PUBLIC.fullmatch(path):
-            raise Http404
-        answer = FileAnswer((site / path).open("rb"))
-    except OSError as error:
-        raise Http404 from error
+    if not _IS_PUBLIC.fullmatch(path):
+        raise Http404
+    answer = file_answer(site / path)
     answer["Access-Control-Allow-Origin"], answer["Access-Control-Expose-Headers"] = "*", "Date"
     return csp(_PLAYER_POLICY if _IS_PLAYER.fullmatch(path) else _PAGE_POLICY)(lambda _: answer)(request)
 
@@ -154,9 +152,7 @@ def new_event(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     event = Event(season=season, address=public_address(request, "/events/")[0])
     form = EventForm(request.POST or None, instance=event)
     if form.is_valid():
-        form.save()
-        write_audit(viewer, "new event", event, "", timezone.now())
-        return redirect("desk_event", pk=event.pk)
+        return done(viewer, "new event", form.save(), f"/desk/events/{event.pk}")
     return page(request, "event_form.html", viewer, 400 if form.is_bound else 200, form=form, season=season)
 
 
@@ -164,13 +160,13 @@ def new_event(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
 def desk_event(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     """Show an event: what it waits for, its form, its matches; and change its form until they begin."""
     event = get_object_or_404(Event.objects.select_related("season"), pk=pk)
-    form, has_begun = EventForm(request.POST or None, instance=event), events.has_begun(event)
-    if form.is_valid() and not has_begun:
-        Event.objects.filter(pk=pk, closed_at=event.closed_at).update(**form.cleaned_data)
+    form, has_begun = EventForm(request.POST or None, instance=copy(event)), events.has_begun(event)
+    if form.is_valid():
+        if has_begun or not Event.objects.filter(pk=pk, closed_at=event.closed_at).update(**form.cleaned_data):
+            return _not_now(request)
         if event.frozen_at is not None:
-            events.write(event)
-        write_audit(viewer, "change event", event, "", timezone.now())
-        return redirect("desk_event", pk=pk)
+            events.write(form.instance)
+        return done(viewer, "change event", form.instance, f"/desk/events/{pk}")
     values: dict[str, Any] = {"event": event, "form": form, "error": "", "state": None, "rulings": []}
     values |= {"has_begun": has_begun, "job": Job.objects.filter(event=event).first()}
     if event.frozen_at is None:
@@ -187,20 +183,20 @@ def desk_event(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBas
 @only("organizer", post=True)
 def change_event(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     """Do what the page of an event offers."""
-    event = get_object_or_404(Event.objects.select_related("season"), pk=pk)
-    act, now, confirm = request.POST.get("act", ""), timezone.now(), request.POST.get("confirm", "").strip()
-    if act == "freeze":
-        events.freeze(event, now, waits=False)
-    elif act == "play" and event.frozen_at is not None:
-        events.play(event, now)
-    elif act == "pause":
-        events.pause(event)
-    elif act == "delete" and not (event.plays or events.has_begun(event)) and confirm == event.title:
-        events.delete(event)
-    else:
-        return message_page(request, 409, gettext("It is too early or too late. To delete an event, type its title."))
-    write_audit(viewer, f"{act} event", event, "", now)
-    return redirect("desk" if act == "delete" else reverse("desk_event", args=[pk]))
+    event, act = get_object_or_404(Event.objects.select_related("season"), pk=pk), request.POST.get("act", "")
+    acts: dict[str, Callable[[], bool]] = {
+        "freeze": lambda: events.freeze(event, timezone.now(), waits=False),
+        "play": lambda: events.play(event, timezone.now()),
+        "pause": lambda: events.pause(event),
+        "delete": lambda: request.POST.get("confirm", "").strip() == event.title and events.delete(event),
+    }
+    if act not in acts or not acts[act]():
+        return _not_now(request)
+    return done(viewer, f"{act} event", event, "/desk" if act == "delete" else f"/desk/events/{pk}")
+
+
+def _not_now(request: HttpRequest) -> HttpResponse:
+    return message_page(request, 409, gettext("It is too early or too late. To delete an event, type its title."))
 
 
 @only("organizer", post=True)
@@ -226,8 +222,7 @@ def rule(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     except DiagnosticError as error:
         return message_page(request, 409, _words(error))
     Event.objects.filter(pk=pk).update(publish_at=timezone.now())
-    write_audit(viewer, "rule", f"{event}: {kind} {fixture or team}", reason, timezone.now())
-    return redirect("desk_event", pk=pk)
+    return done(viewer, "rule", f"{event}: {kind} {fixture or team}", f"/desk/events/{pk}", reason)
 
 
 def _words(error: DiagnosticError) -> str:

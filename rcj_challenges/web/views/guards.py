@@ -9,8 +9,9 @@ from typing import Concatenate, Literal, ParamSpec
 from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase, HttpResponseNotAllowed
 from django.shortcuts import redirect
 from django.urls import reverse
+from django.utils import timezone
 
-from rcj_challenges.web.accounts import Viewer, viewer_of
+from rcj_challenges.web.accounts import Viewer, viewer_of, write_audit
 from rcj_challenges.web.models import Submission, Team
 
 P = ParamSpec("P")
@@ -76,6 +77,12 @@ def seen_team(viewer: Viewer, pk: int) -> Team:
     if team is None or not viewer.may_see(team):
         raise Http404
     return team
+
+
+def done(viewer: Viewer, act: str, about: object, page: str, reason: str = "") -> HttpResponseBase:
+    """Note an act with consequences, and lead to the page that shows them."""
+    write_audit(viewer, act, about, reason, timezone.now())
+    return redirect(page)
 
 
 def plain(text: str, status: int = 200) -> HttpResponse:

@@ -7,8 +7,8 @@ from datetime import datetime, timedelta
 from typing import Any
 
 from csp.decorators import csp, csp_update
-from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase
-from django.shortcuts import get_object_or_404, redirect
+from django.http import HttpRequest, HttpResponse, HttpResponseBase
+from django.shortcuts import get_object_or_404
 from django.utils import timezone
 from django.utils.dateparse import parse_datetime
 from django.utils.translation import gettext
@@ -17,13 +17,14 @@ from django.views.decorators.http import require_GET
 
 from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.web import jobs, seasons, stage
-from rcj_challenges.web.accounts import Viewer, write_audit
+from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.blobs import record_folder, stage_folder
 from rcj_challenges.web.config import current_site
+from rcj_challenges.web.files import HTML, file_answer
 from rcj_challenges.web.models import Match, MatchKind, Show
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.tables import standings_of
-from rcj_challenges.web.views.guards import only
+from rcj_challenges.web.views.guards import done, only
 from rcj_challenges.web.views.team import REPLAY_POLICY
 
 _COMING, _ROWS, _GOALS, _OFFERED = 5, 10, 12, 50
@@ -77,10 +78,7 @@ def _goals(now: datetime) -> Iterator[dict[str, Any]]:
 @csp(_POLICY)  # type: ignore[arg-type]
 def live_page(_request: HttpRequest, pk: int) -> HttpResponseBase:
     """Return the page of a match on the stage, in an origin of its own; its feed comes from `stream`."""
-    try:
-        return HttpResponse((stage_folder(current_site().folder) / str(pk) / stage.PAGE).read_bytes())
-    except OSError as error:
-        raise Http404 from error
+    return file_answer(stage_folder(current_site().folder) / str(pk) / stage.PAGE, content_type=HTML)
 
 
 @only("organizer")
@@ -102,8 +100,7 @@ def put_on_stage(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseB
         show = stage.schedule(match, after, now, is_chosen=True)
     except (OSError, ValueError, OverflowError):
         return message_page(request, 409, gettext("There is no such time, or no replay. Make it on the match's page."))
-    write_audit(viewer, "put on stage", show, "", now)
-    return redirect("desk_stage")
+    return done(viewer, "put on stage", show, "desk_stage")
 
 
 @only("organizer", post=True)
@@ -111,6 +108,5 @@ def take_off_stage(request: HttpRequest, viewer: Viewer, pk: int) -> HttpRespons
     """Take a match off the stage, also while it is shown."""
     found = get_object_or_404(Show, pk=pk)
     with jobs.writing():
-        write_audit(viewer, "take off stage", found, "", timezone.now())
         stage.take_off(Show.objects.filter(pk=pk))
-    return redirect("desk_stage")
+    return done(viewer, "take off stage", found, "desk_stage")

@@ -22,7 +22,7 @@ from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.codes import NO_FILE
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.files import FileAnswer
+from rcj_challenges.web.files import HTML, file_answer
 from rcj_challenges.web.models import Entry, Event, Job, JobState, State, Submission
 from rcj_challenges.web.pages import page
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
@@ -167,7 +167,7 @@ def _replays(found: Submission) -> list[Path]:
 def report(request: HttpRequest, pk: int) -> HttpResponseBase:
     """Return the report as ``check --html`` writes it, in an origin of its own."""
     _, found = seen_submission(request, pk)
-    return _sandboxed(report_folder(current_site().folder, found) / "report.html")
+    return file_answer(report_folder(current_site().folder, found) / "report.html", content_type=HTML)
 
 
 @require_GET
@@ -177,25 +177,15 @@ def replay(request: HttpRequest, pk: int, name: str) -> HttpResponseBase:
     _, found = seen_submission(request, pk)
     if name not in {path.name for path in _replays(found)}:
         raise Http404
-    return _sandboxed(report_folder(current_site().folder, found) / name)
-
-
-def _sandboxed(path: Path) -> HttpResponseBase:
-    try:
-        return FileAnswer(path.open("rb"), content_type="text/html; charset=utf-8")
-    except FileNotFoundError as error:
-        raise Http404 from error
+    return file_answer(report_folder(current_site().folder, found) / name, content_type=HTML)
 
 
 @require_GET
 def archive(request: HttpRequest, pk: int) -> HttpResponseBase:
     """Return the archive as it was handed in."""
     _, found = seen_submission(request, pk)
-    path = Blobs(current_site().folder).path(found.sha256)
-    if not path.exists():
-        raise Http404
-    name = f"team{found.team_id}-{found.number}.zip"
-    return FileAnswer(path.open("rb"), as_attachment=True, filename=name, content_type="application/zip")
+    path, name = Blobs(current_site().folder).path(found.sha256), f"team{found.team_id}-{found.number}.zip"
+    return file_answer(path, as_attachment=True, filename=name, content_type="application/zip")
 
 
 @only("team", post=True)
