@@ -127,7 +127,7 @@ class CompileContext:
     def track_alone(self, tracker: Tracker, phases: frozenset[str] | None) -> None:
         """Follow a tracker that is not shared."""
         tracker.phases = phases
-        self.trackers.add(tracker)
+        self.trackers.all.append(tracker)
 
     def sequence_trackers(self, name: str) -> dict[str | None, SequenceTracker]:
         """Return the trackers of a sequence by whose it is; None for one that is not kept per entity.

@@ -109,7 +109,7 @@ class Referee:
     @property
     def missed(self) -> list[tuple[str, Missed]]:
         """What set off no rule although one seems to wait for it, each with its entity, if it is about one."""
-        names, trackers = self._state.roster.entities, self._trackers.trackers
+        names, trackers = self._state.roster.entities, self._trackers.all
         return [(names[one.entities[0]] if one.entities else "", one.missed) for one in trackers if one.missed]
 
     @property

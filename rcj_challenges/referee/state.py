@@ -200,35 +200,24 @@ class State(RefereeState):
 
     def kept(self) -> dict[str, dict[str, object]]:
         """Return what is kept for the next half's `HalfInfo.kept`."""
-        rules = self.scenario.rules
-        per_of = {name: timer.per for name, timer in self.scenario.timers.items() if timer.keep == "match"}
-        counters: dict[str, object] = {
-            name: self._by_team(self.counters[name], counter.per)
-            for name, counter in self.scenario.counters.items()
-            if counter.keep == "match"
-        }
-        undrawn: dict[str, object] = {
-            name: list(left) for name, left in self._undrawn.items() if self.chosen[name].not_again == "match"
-        }
-        timers: dict[str, object] = {
-            name: self._by_team({one or "": self._clock_kept(clock) for one, clock in clocks.items()}, per_of[name])
-            for name, clocks in self.timers.items()
-            if name in per_of
-        }
-        executions: dict[str, object] = {
-            rule: self._by_team({each: past.executions for each, past in pasts.items()}, rules[rule].for_each)
-            for rule, pasts in self._histories.items()
-        }
-        return {
+        scenario, by_team = self.scenario, self._by_team
+        kept: dict[str, dict[str, object]] = {
             "draws": {name: self.draws[name] for name, draw in self.chosen.items()
                       if draw.keep == "match" and name in self.draws},
-            "flags": {name: self._by_team(self.flags[name], flag.per) for name, flag in self.scenario.flags.items()
-                      if flag.keep == "match"},
-            **({"undrawn": undrawn} if undrawn else {}),
-            **({"counters": counters} if counters else {}),
-            **({"timers": timers} if timers else {}),
-            **({"executions": executions} if executions else {}),
+            "flags": {name: by_team(self.flags[name], one.per) for name, one in scenario.flags.items()
+                      if one.keep == "match"},
+            "undrawn": {name: list(left) for name, left in self._undrawn.items()
+                        if self.chosen[name].not_again == "match"},
+            "counters": {name: by_team(self.counters[name], one.per) for name, one in scenario.counters.items()
+                         if one.keep == "match"},
+            "timers": {name: by_team({owner or "": self._clock_kept(one) for owner, one in clocks.items()},
+                                     scenario.timers[name].per)
+                       for name, clocks in self.timers.items() if scenario.timers[name].keep == "match"},
+            "executions": {rule: by_team({each: past.executions for each, past in pasts.items()},
+                                         scenario.rules[rule].for_each)
+                           for rule, pasts in self._histories.items()},
         }  # fmt: skip
+        return {section: values for section, values in kept.items() if values or section in ("draws", "flags")}
 
     def _clock_kept(self, clock: Clock) -> dict[str, object]:
         return asdict(clock) | {"elapsed": clock.ticks(self.tick), "since": None if clock.since is None else 0}

@@ -136,30 +136,21 @@ class _Active:
 
 
 class TrackerManager:
-    """Updates the trackers that are active in the present phase."""
+    """Updates the trackers that are active in the present phase; all of them are added before the half starts."""
 
     def __init__(self, state: RefereeState) -> None:
         self._state = state
-        self._trackers: list[Tracker] = []
+        self.all: list[Tracker] = []
         self._phases: dict[str, _Active] = {}
         self._active = _Active((), "", len(state.present))
         self._cells: list[Cell] = [EVERYWHERE] * len(state.present)
         self._own_cells: dict[PositionTracker, Cell] = {}
         self._due = NEVER
 
-    def add(self, tracker: Tracker) -> None:
-        """Follow a tracker; all of them are added before the half starts."""
-        self._trackers.append(tracker)
-
-    @property
-    def trackers(self) -> tuple[Tracker, ...]:
-        """All trackers, whether they are active in the present phase or not."""
-        return tuple(self._trackers)
-
     def enter(self, phase: str, left: str | None) -> None:
         """Enter a phase: reset the trackers that were not active in the phase left (all, if it is the same)."""
         if phase not in self._phases:
-            self._phases[phase] = _Active(self._trackers, phase, len(self._cells))
+            self._phases[phase] = _Active(self.all, phase, len(self._cells))
         self._active = self._phases[phase]
         for tracker in self._active.all:
             if left is None or left == phase or not tracker.is_active_in(left):

@@ -51,10 +51,8 @@ def _words(key: str, value: Any) -> str:
     match value:
         case bool():
             text = "yes" if value else "no"
-        case int() | float():
+        case int() | float() | None:
             text = _number(value)
-        case None:
-            text = "none"
         case str():
             text = value
         case _:
@@ -62,5 +60,5 @@ def _words(key: str, value: Any) -> str:
     return measured_words(name, text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "…")
 
 
-def _number(value: float) -> str:
+def _number(value: float | None) -> str:
     return number_words(value, _DECIMALS)

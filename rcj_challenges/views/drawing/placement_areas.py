@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
-from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.base import PlaceWord
@@ -106,30 +105,25 @@ def flipped(point: Point, flip: Flip) -> Point:
     return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
 
 
-class _Put(NamedTuple):
-    """What is put where, with noise, mirrored; ``is_aim``: it only rolls there."""
-
-    names: tuple[str, ...]
-    at: PlaceWord
-    noise_m: Point = (0.0, 0.0)
-    flip: Flip = AS_WRITTEN
-    is_aim: bool = False
+_Put = tuple[tuple[str, ...], PlaceWord, Point, Flip, bool]
+"""What is put where, with noise, mirrored, and whether it only rolls there."""
+_EXACTLY: Point = (0.0, 0.0)
 
 
 def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
     for effect in rule.all_effects():
         match effect:
             case Removes(names, PlaceWord() as back_at):
-                yield _Put(_names(names, rule), back_at)
+                yield _names(names, rule), back_at, _EXACTLY, AS_WRITTEN, False
             case SetsSpot(spot, PlaceWord() as at, mirror):
-                yield from (_Put((spot,), at, flip=flip) for flip in _flips(mirror))
+                yield from (((spot,), at, _EXACTLY, flip, False) for flip in _flips(mirror))
             case Places() | PlacesLayout():
                 for put in (one for layout in alternatives(scenario, effect) for one in layout):
                     names = _names(put.names, rule)
                     for flip in _flips(*put.mirrors):
-                        yield _Put(names, put.at, put.noise_m, flip)
+                        yield names, put.at, put.noise_m, flip, False
                         if put.kick is not None:
-                            yield _Put(names, place_of(put.kick.towards), flip=flip, is_aim=True)
+                            yield names, place_of(put.kick.towards), _EXACTLY, flip, True
 
 
 def _flips(*mirrors: Mirror | None) -> list[Flip]:
@@ -166,7 +160,7 @@ def _areas(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area
     is_marked = is_aim or flip != AS_WRITTEN or any(noise_m)
     if not at.options():
         for name in (one for one in roster.expand(names) if is_marked and one in roster.things):
-            own_m = (0.0, 0.0) if is_aim else start_noise_m(scenario, name)
+            own_m = _EXACTLY if is_aim else start_noise_m(scenario, name)
             both_m = (noise_m[0] + own_m[0], noise_m[1] + own_m[1])
             yield Area((flipped(start_pose(scenario, name)[:2], flip),), both_m, is_aim=is_aim), (name,)
         return

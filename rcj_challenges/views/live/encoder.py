@@ -12,23 +12,22 @@ from typing import Any
 import numpy as np
 
 from rcj_challenges.core.play import HalfInfo, RefereeOutput, Snapshot
-from rcj_challenges.core.timing import TICK_S, ticks_from_s
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.live.feed import Feed, json_message, news_message, pose_message
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.sensor_feed import HalfSensorFeed
 from rcj_challenges.views.naming import changes_sides, distinct_names
-from rcj_challenges.views.replay.events import EventFacts, half_facts
-from rcj_challenges.views.replay.packing import FINEST_M, place_at_start, rounded_poses, units
-from rcj_challenges.views.replay.page import fault_facts, team_facts
-from rcj_challenges.views.replay.things import bodies_in, visible_things
+from rcj_challenges.views.replay.events import EventFacts, fault_facts, half_facts
+from rcj_challenges.views.replay.packing import FINEST_M, place_at_start, rounded_poses
+from rcj_challenges.views.replay.page import page_facts
 from rcj_challenges.views.timeline import TimelineBuilder
 
-_MAX_TICKS_AT_ONCE = 2_000
 _NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
 _Kept = tuple[int, bytes, tuple[Snapshot, RefereeOutput] | None]  # tick, poses, and all of it if something happened
 _SEEN_BEYOND_M = 3.0
@@ -38,20 +37,15 @@ _SEEN_BEYOND_M = 3.0
 def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[str, Any]:
     """Return the facts of the page before the first half; titles are by the seats of the first half."""
     names = {team: titles.get(team) or team for team in scenario.entrants}
-    return {
-        "tick_s": TICK_S,
-        **visible_things(scenario),
-        "teams": team_facts(distinct_names(names, sides_change=changes_sides(scenario))),
-        "halves_planned": scenario.match.halves,
-        "half_ticks_planned": [ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)],
-        "channels": [{"name": name, "unit": unit} for name, unit in units(_unit_m(scenario)).items()],
-        "halves": [],
-        "events": [],
-        "places": [],
-        "about": [("scenario", f"{scenario.title} ({scenario.id})"), ("seed", str(seed))],
-        "problem": "",
-        "live": True,
-    }
+    return page_facts(
+        scenario,
+        distinct_names(names, sides_change=changes_sides(scenario)),
+        _unit_m(scenario),
+        halves_planned=scenario.match.halves,
+        half_ticks_planned=[ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)],
+        about=[("scenario", f"{scenario.title} ({scenario.id})"), ("seed", str(seed))],
+        live=True,
+    )
 
 
 def _unit_m(scenario: Scenario) -> float:
@@ -74,19 +68,15 @@ class LiveObserver(Observer):
         self._sensor_feed: HalfSensorFeed | None = None
         self._builder = TimelineBuilder(scenario)
         self._event_facts = EventFacts(scenario, {})
-        self._entities = 0
-        self._row = struct.Struct("")
+        self._entities = len(Roster.of(scenario).entities)
+        self._row = struct.Struct(f"<{_NUMBERS_PER_ENTITY * self._entities}f")
         self._waiting: deque[_Kept] = deque()
         self._flushing = threading.Lock()
         self.before_tick = pace.before_tick  # type: ignore[method-assign]
 
     def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Store what the next `flush` sends."""
-        poses, heights = snapshot.substeps[-1], snapshot.heights
-        if len(heights) != self._entities:
-            self._entities = len(heights)
-            self._row = struct.Struct(f"<{_NUMBERS_PER_ENTITY * self._entities}f")
-        row = self._row.pack(*chain.from_iterable(poses), *heights, *snapshot.uprights)
+        row = self._row.pack(*chain.from_iterable(snapshot.substeps[-1]), *snapshot.heights, *snapshot.uprights)
         is_news = output.changes or output.events or output.firings or output.placements or snapshot.faults
         self._waiting.append((snapshot.tick, row, (snapshot, output) if is_news else None))
 
@@ -101,7 +91,8 @@ class LiveObserver(Observer):
             self._event_facts = EventFacts(
                 self._scenario, distinct_names(named, sides_change=changes_sides(self._scenario))
             )
-            self._feed.append(json_message({"say": "half", "facts": self._half_facts(half)}))
+            facts = half_facts(self._scenario, half, self._builder.timeline.halves[half.half])
+            self._feed.append(json_message({"say": "half", "facts": facts}))
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
         """Send the facts of the sensor recording; from now on its rows follow."""
@@ -114,18 +105,12 @@ class LiveObserver(Observer):
         """Send the output of the rules after the last tick."""
         self.flush()
         with self._flushing:
-            reported = (*output.events, *output.firings, *output.changes)
-            if reported:
-                tick = max(one.tick for one in reported)
-                self._feed.append(self._tick_message(Snapshot(tick, [], [], [], ()), output))
+            self._feed.append(self._tick_message(Snapshot(0, [], [], [], ()), output))
 
     def flush(self) -> None:
         """Send all that waits, poses first: a reading never comes before the poses of its tick."""
         with self._flushing:
-            while self._waiting:
-                batch: list[_Kept] = []
-                while self._waiting and len(batch) < _MAX_TICKS_AT_ONCE:
-                    batch.append(self._waiting.popleft())
+            if batch := [self._waiting.popleft() for _ in range(len(self._waiting))]:
                 self._send(batch)
             if self._sensor_feed is not None:
                 self._feed.append(self._sensor_feed.messages())
@@ -160,14 +145,3 @@ class LiveObserver(Observer):
             "events": [self._event_facts.event(event, half.teams) for event in events],
         }
         return news_message(half.half, news)
-
-    def _half_facts(self, half: HalfInfo) -> dict[str, Any]:
-        return {
-            "half": half.half,
-            "ticks": 0,
-            "planned_ticks": half.ticks,
-            **half_facts(self._builder.timeline.halves[half.half], half.ticks),
-            "jumps": [],
-            "faults": [],
-            "bodies": bodies_in(self._scenario, half.half),
-        }

@@ -63,15 +63,15 @@ class Feed:
     @property
     def size_bytes(self) -> int:
         """The length so far."""
-        with self._news:
-            return self._size()
+        with self._news:  # which may be held already
+            return self._ends[-1] if self._ends else 0
 
     def append(self, chunk: bytes) -> None:
         """Add whole messages and wake all readers that wait."""
         if chunk:
             with self._news:
                 self._chunks.append(chunk)
-                self._ends.append(self._size() + len(chunk))
+                self._ends.append(self.size_bytes + len(chunk))
                 self._news.notify_all()
 
     def close(self) -> None:
@@ -86,9 +86,9 @@ class Feed:
         They are empty if none came within ``wait_s``, None at the end of the feed.
         """
         with self._news:
-            if start >= self._size() and not self._closed:
+            if start >= self.size_bytes and not self._closed:
                 self._news.wait(wait_s)
-            size = self._size()
+            size = self.size_bytes
             if start >= size:
                 return None if self._closed else b""
             first = bisect_right(self._ends, start)
@@ -98,6 +98,3 @@ class Feed:
             chunks = self._chunks[first:last]
             begin = self._ends[first] - len(self._chunks[first])
         return b"".join(chunks)[start - begin :]
-
-    def _size(self) -> int:
-        return self._ends[-1] if self._ends else 0

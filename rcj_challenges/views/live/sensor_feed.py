@@ -12,8 +12,6 @@ from rcj_challenges.records.sensors import SensedRobot, row_dtype
 from rcj_challenges.views.live.feed import json_message, reading_message
 from rcj_challenges.views.replay.sensor_blocks import columns_of, robot_facts, whole_numbers
 
-_MAX_CHARACTERS = 100_000
-
 
 class HalfSensorFeed:
     """The sensor recording of one half while it is made; a `rcj_challenges.records.sensors.SensorListener`.
@@ -49,21 +47,10 @@ class HalfSensorFeed:
         for number, (robot, waiting) in enumerate(zip(self._robots, self._rows, strict=True)):
             if rows := [waiting.popleft() for _ in range(len(waiting))]:
                 parts.append(reading_message(self._half, number, len(rows), _shown(robot, b"".join(rows))))
-        return b"".join([*parts, *self._lines()])
-
-    def _lines(self) -> list[bytes]:
-        messages, lines, characters = [], [], 0
-        for _ in range(len(self._printed)):
-            robot, tick, text = self._printed.popleft()
-            lines.append((self._robots[robot].name, tick, text))
-            characters += len(text)
-            if characters > _MAX_CHARACTERS:
-                messages.append(self._printed_message(lines))
-                lines, characters = [], 0
-        return [*messages, self._printed_message(lines)] if lines else messages
-
-    def _printed_message(self, lines: list[tuple[str, int, str]]) -> bytes:
-        return json_message({"say": "printed", "half": self._half, "lines": lines})
+        printed = [self._printed.popleft() for _ in range(len(self._printed))]
+        if lines := [(self._robots[robot].name, tick, text) for robot, tick, text in printed]:
+            parts.append(json_message({"say": "printed", "half": self._half, "lines": lines}))
+        return b"".join(parts)
 
 
 def _shown(robot: SensedRobot, rows: bytes) -> bytes:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from rcj_challenges.core.amounts import Score, distinct_decimals, number_words
+from rcj_challenges.core.play import Fault, HalfInfo
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.triggers import TRIGGERS
@@ -16,11 +17,13 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import seat_colours
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.payloads import extra_payload_text
+from rcj_challenges.views.replay.packing import Jumps
+from rcj_challenges.views.replay.things import bodies_in
 from rcj_challenges.views.sentences import Reasons, event_title, fault_sentence
 from rcj_challenges.views.timeline import POINTS, HalfTimeline, Timeline, TimelineEvent
 
 _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
-_LONGEST_TEXT = 2_000
+_LONGEST_TEXT, _LONGEST_DETAIL = 2_000, 10_000
 _MAX_CHANGES = 2_000
 """Of what is counted in a half, so many changes are on the page: about 40 bytes each."""
 
@@ -32,17 +35,43 @@ _UNITS = {
 """The unit of what a trigger measures, by its word."""
 
 
-def half_facts(half: HalfTimeline, ticks: int) -> dict[str, Any]:
-    """Return the changes of a half, as the page has them: a list for each thing, ``[tick, value]`` in order."""
+def half_facts(
+    scenario: Scenario,
+    info: HalfInfo,
+    half: HalfTimeline,
+    ticks: int = 0,
+    jumps: Jumps = (),
+    faults: Iterable[Fault] = (),
+) -> dict[str, Any]:
+    """Return a half as the page has it: what changes as a list for each thing, ``[tick, value]`` in order."""
     # A rule that counts in each tick would fill the page: of each stretch only the last value is kept.
     counted = half.changes["counted"]
     stretch = 1 if len(counted) <= _MAX_CHANGES else ticks // _MAX_CHANGES + 1
     return {
+        "half": info.half,
+        "ticks": ticks,
+        "planned_ticks": info.ticks,
         "sides": dict(half.teams),
         "scores": dict(half.first_score),
         **half.changes,
         "counted": list({row[0] // stretch: row for row in counted}.values()),
+        "jumps": [list(each) for each in jumps],
+        "faults": fault_facts(faults),
+        "bodies": bodies_in(scenario, info.half),
     }
+
+
+def fault_facts(faults: Iterable[Fault]) -> list[dict[str, Any]]:
+    """Return failures of programs: as detail the traceback, which ends with the error, or else one line."""
+    return [
+        {
+            "robot": fault.robot,
+            "tick": fault.tick,
+            "kind": fault.kind,
+            "detail": (fault.traceback.rstrip() or fault.detail)[-_LONGEST_DETAIL:],
+        }
+        for fault in faults
+    ]
 
 
 class EventFacts:

@@ -9,9 +9,8 @@ from __future__ import annotations
 import base64
 import math
 import zlib
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -36,17 +35,15 @@ _ZLIB_LEVEL = 6
 Array = npt.NDArray[Any]
 
 
-@dataclass(frozen=True)
-class Frames:
-    """Judged poses of a half for the page. ``T + 1`` frames (frame 0 is the start), ``E`` entities.
+Jumps = Sequence[Sequence[int]]
+"""By entity, the ticks after which it was put elsewhere."""
 
-    Attributes:
-        columns: by channel (``x y yaw z tilt``), int16 ``[T + 1, E]``.
-        jumps: by entity, the ticks after which it was put elsewhere.
-    """
+
+class Frames(NamedTuple):
+    """Judged poses of a half for the page: by channel (``x y yaw z tilt``) int16 ``[T + 1, E]``, first the start."""
 
     columns: Mapping[str, Array]
-    jumps: tuple[tuple[int, ...], ...]
+    jumps: Jumps
 
 
 def length_unit(*halves: HalfTrack) -> float:

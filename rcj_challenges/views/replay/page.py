@@ -5,10 +5,11 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from importlib.resources import files
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -28,9 +29,9 @@ from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.replay.events import EventFacts, half_facts
 from rcj_challenges.views.replay.packing import Frames, frames_of, length_unit, packed, units
 from rcj_challenges.views.replay.sensor_blocks import output_block, picture_blocks, sensor_block, sensor_facts
-from rcj_challenges.views.replay.things import bodies_in, visible_things
+from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.scoreboard import ranking_rows
-from rcj_challenges.views.timeline import HalfTimeline, timeline_of
+from rcj_challenges.views.timeline import timeline_of
 
 SCRIPTS = (
     "element", "maths", "colourMaths", "recording", "embedded", "mesh", "ground", "bodies", "overlays",
@@ -48,7 +49,6 @@ PREMIERE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "premier
 STAGE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "startstage")
 """The parts of the page that watches a recorded match which a server releases by its clock."""
 
-_LONGEST_DETAIL = 10_000
 _LONGEST_NAME = 200
 
 
@@ -134,55 +134,47 @@ def _recorded_logo(folder: Path, seats: Collection[str], team: str) -> bytes | N
     return path.read_bytes() if path is not None and path.is_file() and path.stat().st_size <= MAX_LOGO_BYTES else None
 
 
-def _facts(run: RunRecord, frames: list[Frames], unit_m: float) -> dict[str, Any]:
-    result, halves = run.result, run.halves
-    timeline, worth = timeline_of(run.scenario, halves, run.shown_log), units(unit_m)
+def page_facts(scenario: Scenario, names: Mapping[str, str], unit_m: float, **more: Any) -> dict[str, Any]:
+    """Return the facts of a page before the first half.
+
+    ``names`` are the teams', by their seats of the first half; ``unit_m``: of x and y; ``more`` facts of this page.
+    """
     return {
         "tick_s": TICK_S,
-        **visible_things(run.scenario),
-        "teams": team_facts(titles(run.scenario, result)),
-        "halves_planned": halves[0].info.halves,
-        "channels": [{"name": name, "unit": worth[name]} for name in frames[0].columns],
-        "halves": [
-            _half(half, moving, timeline.halves[half.info.half]) | {"bodies": bodies_in(run.scenario, half.info.half)}
+        **visible_things(scenario),
+        # Browsers lay out very long names slowly.
+        "teams": [{"name": team, "title": name[:_LONGEST_NAME]} for team, name in names.items()],
+        "channels": [{"name": name, "unit": unit} for name, unit in units(unit_m).items()],
+        "halves": [],
+        "events": [],
+        "places": [],
+        "problem": "",
+        **more,
+    }
+
+
+def _facts(run: RunRecord, frames: list[Frames], unit_m: float) -> dict[str, Any]:
+    scenario, result, halves, names = run.scenario, run.result, run.halves, titles(run.scenario, run.result)
+    timeline = timeline_of(scenario, halves, run.shown_log)
+    return page_facts(
+        scenario,
+        names,
+        unit_m,
+        halves_planned=halves[0].info.halves,
+        halves=[
+            half_facts(scenario, half.info, timeline.halves[half.info.half], half.ticks, moving.jumps, _faults(half))
             for half, moving in zip(halves, frames, strict=True)
         ],
-        "events": EventFacts(run.scenario, titles(run.scenario, result)).of_timeline(timeline),
-        "places": places(run.scenario, result),
-        "complete": result.complete,
-        "about": about_run(result),
-        "problem": " ".join(run.problems),
-    }
+        events=EventFacts(scenario, names).of_timeline(timeline),
+        places=places(scenario, result),
+        complete=result.complete,
+        about=about_run(result),
+        problem=" ".join(run.problems),
+    )
 
 
-def _half(half: HalfTrack, frames: Frames, timeline: HalfTimeline) -> dict[str, Any]:
-    info = half.info
-    return {
-        "half": info.half,
-        "ticks": half.ticks,
-        "planned_ticks": info.ticks,
-        **half_facts(timeline, half.ticks),
-        "jumps": [list(ticks) for ticks in frames.jumps],
-        "faults": fault_facts(fault for faults in half.faults.values() for fault in faults),
-    }
-
-
-def team_facts(names: Mapping[str, str]) -> list[dict[str, str]]:
-    """Return the teams for the page; very long names, which browsers lay out slowly, are cut."""
-    return [{"name": team, "title": name[:_LONGEST_NAME]} for team, name in names.items()]
-
-
-def fault_facts(faults: Iterable[Fault]) -> list[dict[str, Any]]:
-    """Return failures of programs: as detail the traceback, which ends with the error, or else one line."""
-    return [
-        {
-            "robot": fault.robot,
-            "tick": fault.tick,
-            "kind": fault.kind,
-            "detail": (fault.traceback.rstrip() or fault.detail)[-_LONGEST_DETAIL:],
-        }
-        for fault in faults
-    ]
+def _faults(half: HalfTrack) -> Iterator[Fault]:
+    return chain.from_iterable(half.faults.values())
 
 
 def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
