@@ -98,6 +98,10 @@ BAD = [
     ("entrants: {blue: {robots: {B1: a/../b.py}}}\n", "wrong-value entrants.blue.robots.B1"),
     ("entrants: {blue: {robots: {B1: [a.py, b//c.py]}}}\n", "wrong-value entrants.blue.robots.B1[1]"),
     ("match: {swap_sides: true}\nentrants: {blue: null}\n", "cannot-swap match.swap_sides"),
+    ("counters: {c: {per: entrants, keeps: lowest, keep: match, initial: 9}}\nresult: {rank: [{counter: c, over: best, better: less, says: C}]}\n",
+     "wrong-value result.rank[0]"),
+    ("counters: {c: {per: entrants, initial: none, keep: match}}\nresult: {rank: [{counter: c, otherwise: 60, better: less, says: C}]}\n",
+     "wrong-value result.rank[0]"),
 ]  # fmt: skip
 
 

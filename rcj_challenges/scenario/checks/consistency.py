@@ -15,6 +15,7 @@ from rcj_challenges.rules.effects import AtTime, Draws, SetsSpot
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.placement import Kick
 from rcj_challenges.rules.quantifier import HowMany
+from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.checks.guidelines import check_guideline
@@ -71,6 +72,7 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     for name, guideline in scenario.guidelines.items():
         yield from check_guideline(guideline, ("guidelines", name))
     yield from _entrants(scenario)
+    yield from _ranking(scenario)
 
 
 # --- within one mapping -----------------------------------------------------------------------------------------------
@@ -317,3 +319,13 @@ def _entrants(scenario: Scenario) -> Iterator[Diagnostic]:
     if scenario.match.swap_sides and len(scenario.entrants) != 2:
         message = f"only two entrants can change sides; there are {listing(scenario.entrants) or 'none'}"
         yield issue(codes.CANNOT_SWAP, ("match", "swap_sides"), message, "write swap_sides: false")
+
+
+def _ranking(scenario: Scenario) -> Iterator[Diagnostic]:
+    """Yield counters of the whole match to which a half adds nothing that could be summed or compared."""
+    for at, ranked in enumerate(scenario.result.rank):
+        for name in counters_in([ranked]) if ranked.over != "last" else ():
+            counter = scenario.counters.get(name)
+            if counter is not None and counter.keep == "match" and (counter.keeps or counter.first is None):
+                message = f"counter '{name}' of the match keeps a value, or begins with none: halves do not add to it"
+                yield issue(codes.WRONG_VALUE, ("result", "rank", at), message, "write over: last")
