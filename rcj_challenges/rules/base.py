@@ -284,8 +284,8 @@ class Condition(KeyedWord):
         """Return whether it is made of more than one condition."""
         return False
 
-    def compares_with_counter(self) -> bool:
-        """Return whether it compares with a counter, or with those of others."""
+    def compares_with_value(self) -> bool:
+        """Return whether it compares with a value, not with a number."""
         return False
 
 

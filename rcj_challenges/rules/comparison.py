@@ -69,7 +69,7 @@ class Compared(Valued, Condition):
         """Return with what it compares, and how."""
         return [(bound, limit) for key, bound in _BOUNDS.items() if (limit := getattr(self, key)) is not None]
 
-    def compares_with_counter(self) -> bool:
+    def compares_with_value(self) -> bool:
         """Return whether it compares with a value, not with a number."""
         return any(isinstance(limit, ValueWord) for _, limit in self.limits())
 
@@ -127,7 +127,7 @@ class Compared(Valued, Condition):
         """Return the comparison as the part of a sentence that follows ``if``."""
         value = self.value
         clause = None if value.is_computed() else value.clause(phrases)
-        if clause and not (clause.unit and self.compares_with_counter() and _is_of_one(phrases, clause)):
+        if clause and not (clause.unit and self.compares_with_value() and _is_of_one(phrases, clause)):
             return self._describe_clause(phrases, clause)
         if not value.is_computed() and (words := value.describe_compared(phrases, self)):
             return words

@@ -32,8 +32,8 @@ class AllHold(Condition):
     def is_always(self) -> bool:
         return all(one.is_always() for one in self.conditions)
 
-    def compares_with_counter(self) -> bool:
-        return any(one.compares_with_counter() for one in self.conditions)
+    def compares_with_value(self) -> bool:
+        return any(one.compares_with_value() for one in self.conditions)
 
     def test(self, to: Binder) -> Test:
         tests = tuple(condition.compile(to) for condition in self.conditions)

@@ -134,6 +134,14 @@ def test_field_without_walls_has_no_walls_in_its_picture():
     assert len(titled(picture, "the field")) == 1
 
 
+def test_without_walls_the_picture_reaches_to_what_is_on_the_floor():
+    more = "spots: {far: {x_m: -0.9, y_m: 0.9}}\nzones: {bay: {shape: circle, anchor: far, radius_m: 0.3, drawn: true}, blue_goal: null"
+    picture = drawn(NO_GOALS.replace("field: {", "field: {walls: false, ").replace("zones: {blue_goal: null", more))
+    assert "far: -0.9, 0.9" in legend(picture)
+    left, top, _, _ = extent_px(titled(picture, "bay")[0])
+    assert min(left, top) > 0
+
+
 def test_spot_that_is_drawn_on_the_field_is_a_dot_in_its_colour():
     picture = drawn("spots: {seen: {x_m: 0.1, y_m: 0, drawn: true, colour: red}, unseen: {x_m: 0, y_m: 0.2}}")
     fills = {name: [one.get("fill") for one in titled(picture, name)] for name in ("seen", "unseen")}

@@ -86,7 +86,7 @@ expect:
         )
         again = f", and again {every_words(phrases, self.every_s)} while that lasts" if self.every_s else ""
         # Behind several it would read as if only the last of them had to last, behind a counter as if that said it.
-        before = self.condition.is_several() or self.condition.compares_with_counter()
+        before = self.condition.is_several() or self.condition.compares_with_value()
         lasting = " ".join(filter(None, (for_s, held) if before else (held, for_s)))
         return f"{lasting}{grace}{again}"
 

@@ -78,7 +78,7 @@ expect:
             article, state = ("a", f"that has run for {run_for}") if run_for else ("the", "running")
             return f"{subject.does('has', 'have')} {article} timer {quoted(self.timer)} {state}"
         timer = self.kept_words(phrases) if subject is None else self._longest(phrases)
-        if by.compares_with_counter():
+        if by.compares_with_value():
             return ""
         opposite = by.opposite(phrases, " s") if by.negate else None
         return f"{timer} has run for {opposite}" if opposite else f"{timer} has{no} run for {run_for}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
@@ -81,13 +81,11 @@ def picture_of(scenario: Scenario, roster: Roster) -> Picture:
     Robots and balls are drawn where they are when a half has begun. Zones that are ``drawn`` have solid outlines, the
     others dashed ones. Dotted circles are distances that rules measure.
     """
-    field = scenario.field
-    depth = max((goal.depth_m for goal in field.goals.values()), default=0.0)
-    x, y = field.width_m / 2, field.length_m / 2 + depth
+    poses = first_poses(scenario, roster)
+    x, y = _reach_m(scenario, poses)
     px_per_m = min(_PX_PER_M, _MAX_PX[0] / (2 * x), _MAX_PX[1] / (2 * y))
     x, y = x + _MARGIN_PX / px_per_m, y + _MARGIN_PX / px_per_m
     paper = Paper((-x, -y, x, y), px_per_m)
-    poses = first_poses(scenario, roster)
     _ground(paper, scenario)
     sections = [
         _zones(paper, scenario),
@@ -100,6 +98,22 @@ def picture_of(scenario: Scenario, roster: Roster) -> Picture:
         _balls(paper, scenario, poses),
     ]
     return Picture(paper, scenario.title, sections)
+
+
+def _reach_m(scenario: Scenario, poses: Mapping[str, Pose2 | None]) -> Point:
+    """Return how far the drawing reaches along x and y: without walls to all that stands or is drawn on the floor."""
+    field, floor = scenario.field, scenario.field.bounds
+    depth = max((goal.depth_m for goal in field.goals.values()), default=0.0)
+    x, y = field.width_m / 2, field.length_m / 2 + depth
+    if field.walls:
+        return x, y
+    most_x, most_y = floor.width_m / 2, floor.length_m / 2
+    points = [(0.0, 0.0), *((spot.x_m, spot.y_m) for spot in scenario.spots.values())]
+    points += [(pose[0], pose[1]) for pose in poses.values() if pose is not None]
+    for zone in (at_start(one, scenario) for one in scenario.zones.values() if one.drawn and not one.inverted):
+        points += visible_outline(zone, field, (-most_x, -most_y, most_x, most_y))
+    far_x, far_y = (max(map(abs, along)) for along in zip(*points, strict=True))
+    return max(x, min(far_x, most_x)), max(y, min(far_y, most_y))
 
 
 def _mark_m(paper: Paper, usual_m: float) -> float:
