@@ -159,20 +159,18 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
 
 def _lines(judged: _Judged, *, has_other_rules: bool) -> Iterator[str]:
     """Yield the lines about a judgement: scores, then each event that differs."""
-    from rcj_challenges.views.naming import changes_sides, score_line
+    from rcj_challenges.views.naming import changes_sides, score_line, shown_names
     from rcj_challenges.views.scoreboard import ranking_lines
 
     result, judgement, scenario = judged.result, judged.judgement, judged.scenario
     names = {team: entrant.name for team, entrant in result.entrants.items()}
-    swap = changes_sides(scenario)
+    names = shown_names(names, sides_change=changes_sides(scenario))
     yield sanitize(judged.folder.name)
-    yield f"  recorded: {score_line(names, judged.score, sides_change=swap)}" + (
-        "" if result.complete else "  (not complete)"
-    )
-    yield f"  judged:   {score_line(names, judgement.scores, sides_change=swap)}" + (
+    yield f"  recorded: {score_line(names, judged.score)}" + ("" if result.complete else "  (not complete)")
+    yield f"  judged:   {score_line(names, judgement.scores)}" + (
         "" if judgement.complete else "  (the record ends before the match does)"
     )
-    for line in ranking_lines(scenario.result.rank, names, judgement.ranking, sides_change=swap):
+    for line in ranking_lines(scenario.result.rank, names, judgement.ranking):
         yield f"            {line}"
     found = judged.differences
     yield from (_line(one, scenario.match.period) for one in found[:_MAX_SHOWN])

@@ -125,13 +125,12 @@ def has_ticks(outcome: PlayedMatch) -> bool:
 
 def score_lines(scenario: Scenario, result: dict[str, Any]) -> list[str]:
     """The score, and a line for each place of the ranking."""
-    from rcj_challenges.views.naming import changes_sides, score_line
+    from rcj_challenges.views.naming import changes_sides, score_line, shown_names
     from rcj_challenges.views.scoreboard import ranking_lines
 
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
-    swap = changes_sides(scenario)
-    score = score_line(names, result["score"], sides_change=swap)
-    return [score, *ranking_lines(scenario.result.rank, names, result["ranking"], sides_change=swap)]
+    names = shown_names(names, sides_change=changes_sides(scenario))
+    return [score_line(names, result["score"]), *ranking_lines(scenario.result.rank, names, result["ranking"])]
 
 
 def _fault_lines(faults: Sequence[dict[str, Any]]) -> list[str]:

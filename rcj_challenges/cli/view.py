@@ -41,7 +41,7 @@ def _list_records(out: Path) -> None:
         RecordError: there is no such folder, or no record in it.
     """
     from rcj_challenges.views.console import console_for
-    from rcj_challenges.views.naming import score_line
+    from rcj_challenges.views.naming import score_line, shown_names
     from rcj_challenges.views.replay.browse import list_runs
 
     console = console_for()
@@ -51,6 +51,8 @@ def _list_records(out: Path) -> None:
             continue
         names = {team: entrant.name for team, entrant in row.result.entrants.items()}
         swapped = any(seat != team for half in row.result.halves for seat, team in half.sides.items())
-        score = score_line(names, row.score, sides_change=swapped) + ("" if row.result.complete else "  (not complete)")
+        score = score_line(shown_names(names, sides_change=swapped), row.score) + (
+            "" if row.result.complete else "  (not complete)"
+        )
         started = row.result.started[:19].replace("T", " ")
         print_lines(console, f"{sanitize(row.folder.name)}  {started}  {row.result.scenario}  {score}")

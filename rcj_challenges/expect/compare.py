@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
+from itertools import zip_longest
 from math import isclose
 from typing import Any
 
@@ -207,14 +208,11 @@ def _is_flood(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> bool
 
 
 def _by_position(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> Iterable[_Pair]:
-    for index, event in enumerate(found):
-        if index < len(expected) and event.name == expected[index].what:
+    for event, index in zip_longest(found, range(len(expected))):
+        if event is not None and index is not None and event.name == expected[index].what:
             yield event, index
         else:
-            yield event, None
-            if index < len(expected):
-                yield None, index
-    yield from ((None, index) for index in range(len(found), len(expected)))
+            yield from (pair for pair in ((event, None), (None, index)) if pair != (None, None))
 
 
 _SAME_NAME = 1 << 20

@@ -43,20 +43,22 @@ def distinct_names(names: Mapping[str, str], *, sides_change: bool = False) -> d
     }
 
 
-def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:
-    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one, in the order of the first half."""
-    titles = shown_names(names, sides_change=sides_change)
+def score_line(names: Mapping[str, str], scores: Mapping[str, int | float]) -> str:
+    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one, in the order of the first half.
+
+    ``names`` are as of `shown_names`.
+    """
     if len(scores) == 2:
         (first, first_score), (second, second_score) = scores.items()
-        return f"{titles[first]} {number_words(first_score)} : {number_words(second_score)} {titles[second]}"
-    return ", ".join(f"{titles[seat]} {number_words(score)}" for seat, score in scores.items())
+        return f"{names[first]} {number_words(first_score)} : {number_words(second_score)} {names[second]}"
+    return ", ".join(f"{names[seat]} {number_words(score)}" for seat, score in scores.items())
 
 
 def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
     """Return the `score_line` within a half, teams in the order of the first half as in the result and on pages."""
     seat_of = {team: seat for seat, team in half.teams.items()}
-    changed = any(team != seat for seat, team in half.teams.items())
-    return score_line(team_names(half), {team: scores[seat_of[team]] for team in half.teams}, sides_change=changed)
+    names = shown_names(team_names(half), sides_change=any(team != seat for seat, team in half.teams.items()))
+    return score_line(names, {team: scores[seat_of[team]] for team in half.teams})
 
 
 def team_names(half: HalfInfo) -> dict[str, str]:

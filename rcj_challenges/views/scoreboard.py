@@ -21,7 +21,7 @@ from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.rules.ranked import Ranked
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.commentary import Commentator, Remark
-from rcj_challenges.views.naming import score_so_far, shown_names, team_names
+from rcj_challenges.views.naming import score_so_far, team_names
 from rcj_challenges.views.sentences import clock, fault_line
 
 _EVENTS_SHOWN = 6
@@ -62,16 +62,9 @@ def criterion_name(ranked: Ranked) -> str:
     return f"{first} (with {', '.join(others)})" if others else first
 
 
-def ranking_lines(
-    rank: Sequence[Ranked],
-    names: Mapping[str, str],
-    ranking: Sequence[Mapping[str, Any]],
-    *,
-    sides_change: bool = False,
-) -> list[str]:
+def ranking_lines(rank: Sequence[Ranked], names: Mapping[str, str], ranking: Sequence[Mapping[str, Any]]) -> list[str]:
     """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score decides."""
-    rows = ranking_rows(rank, shown_names(names, sides_change=sides_change), ranking)
-    return [f"{place}: {team}, {values}" for place, team, values in rows]
+    return [f"{place}: {team}, {values}" for place, team, values in ranking_rows(rank, names, ranking)]
 
 
 def ranking_rows(

@@ -69,12 +69,8 @@ class LiveShow:
             raise _port_error(port, error) from error
         self.port = self._server.port
         self._ended = threading.Event()
-        self._threads = [
-            threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": _ACCEPT_EVERY_S}, daemon=True),
-            threading.Thread(target=self._flush_regularly, daemon=True),
-        ]
-        for thread in self._threads:
-            thread.start()
+        threading.Thread(target=self._server.serve_forever, args=(_ACCEPT_EVERY_S,), daemon=True).start()
+        threading.Thread(target=self._flush_regularly, daemon=True).start()
 
     @property
     def address(self) -> str:

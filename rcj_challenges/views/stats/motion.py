@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.trajectory import HalfTrack
 
 Array = npt.NDArray[Any]
@@ -27,11 +26,6 @@ class Motion:
     places: Array
     steps_m: Array
     on_field: Array
-
-    @property
-    def fastest_mps(self) -> Array:
-        """``[T, E]``, speeds in m/s."""
-        return self.steps_m / TICK_S
 
 
 def motion_of(half: HalfTrack) -> Motion:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.referee_log import score_so_far
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.run_record import RunRecord, read_run
@@ -141,7 +142,7 @@ def _add_motion(tally: Tally, motion: Motion, play: Any, index: int) -> None:
     tally.field_ticks += int(counted.sum())
     tally.distance_m += float(motion.steps_m[counted, index].sum())
     if counted.any():
-        tally.fastest_mps = max(tally.fastest_mps, float(np.max(motion.fastest_mps[counted, index])))
+        tally.fastest_mps = max(tally.fastest_mps, float(np.max(motion.steps_m[counted, index])) / TICK_S)
 
 
 def _in_play(ticks: list[int], play: Any) -> int:

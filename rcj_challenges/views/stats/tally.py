@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 
 @dataclass
@@ -40,12 +41,6 @@ class Tally:
     calls: Counter[str] = field(default_factory=Counter)
     faults: Counter[str] = field(default_factory=Counter)
 
-    def add(self, other: Tally) -> None:
-        """Add another's sums."""
-        for name, value in vars(other).items():
-            mine = getattr(self, name)
-            setattr(self, name, max(mine, value) if name == "fastest_mps" else mine + value)
-
 
 @dataclass
 class TeamTally:
@@ -66,7 +61,7 @@ class TeamTally:
         """All robots together."""
         total = Tally()
         for robot in self.robots.values():
-            total.add(robot)
+            _add(total, robot)
         total.ball_ticks = self.ball_ticks  # they play at the same time
         return total
 
@@ -98,20 +93,7 @@ def merge_stats(several: Iterable[Stats]) -> Stats:
     """
     total = Stats()
     for one in several:
-        total.runs += one.runs
-        total.play_ticks += one.play_ticks
-        total.ticks += one.ticks
-        total.calls.update(one.calls)
-        total.has_goals = total.has_goals or one.has_goals
-        total.notes += one.notes
-        for name, team in one.teams.items():
-            mine = total.teams.setdefault(name, TeamTally())
-            mine.points += team.points
-            mine.runs += team.runs
-            mine.ball_ticks += team.ball_ticks
-            mine.programs |= team.programs
-            _add_all(mine.robots, {_known_label(label, mine.robots): tally for label, tally in team.robots.items()})
-        _add_all(total.balls, one.balls)
+        _add(total, one)
     for name, team in total.teams.items():
         if len(team.programs) > 1:
             note = f"{len(team.programs)} different submissions have this name; they are added up as one team"
@@ -125,6 +107,16 @@ def _known_label(label: str, known: Iterable[str]) -> str:
     return next((one for one in known if sorted(one.split("/")) == names), label)
 
 
-def _add_all(mine: dict[str, Tally], others: dict[str, Tally]) -> None:
-    for label, tally in others.items():
-        mine.setdefault(label, Tally()).add(tally)
+def _add(total: Any, other: Any) -> None:
+    """Add sums of the same kind to a total, field by field."""
+    for name, value in vars(other).items():
+        mine = getattr(total, name)
+        if name == "fastest_mps":
+            setattr(total, name, max(mine, value))
+        elif isinstance(value, bool | set):
+            setattr(total, name, mine | value)
+        elif isinstance(value, dict) and not isinstance(value, Counter):
+            for label, one in value.items():
+                _add(mine.setdefault(_known_label(label, mine) if name == "robots" else label, type(one)()), one)
+        else:
+            setattr(total, name, mine + value)

@@ -51,11 +51,11 @@ class HalfFootage:
         unit_m = length_unit(track)
         frames, worth = frames_of(track, unit_m), units(unit_m)
         poses = np.stack([frames.columns[name] * worth[name] for name in ("x", "y", "yaw", "z")], axis=2)
-        off = np.stack([frames.columns["x"] == np.iinfo(np.int16).max] * 4, axis=2)
+        poses[frames.columns["x"] == np.iinfo(np.int16).max] = np.nan
         jumps = np.zeros(poses.shape[:2], np.bool_)
         for entity, ticks in enumerate(frames.jumps):
             jumps[list(ticks), entity] = True
-        return cls(track.info, np.where(off, np.nan, poses), jumps)
+        return cls(track.info, poses, jumps)
 
     @property
     def ticks(self) -> int:
