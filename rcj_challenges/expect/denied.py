@@ -76,7 +76,10 @@ def missed_notes(
         rules = dict.fromkeys(binding.rule.name for binding in one.bindings)
         if one.kind == "crossed":
             why = f"not counted by {listing(rules)}, with the other direction" if rules else "no step of a sequence"
-            yield f"note: {entity} crossed {one.what} {at}: {why}"
+            note = f"note: {entity} crossed {one.what} {at}: {why}"
+            if (note, one.kind) not in noted:
+                yield note
+            noted.add((note, one.kind))
             continue
         for name in rules:
             if (name, one.kind) in noted or name in fired or not _gives(name, scenario.rules[name], wanted):

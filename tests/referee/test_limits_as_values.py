@@ -165,7 +165,7 @@ def test_a_limit_must_be_one(limit):
         ),
         (
             "displaced, entity: B1, distance_m: {counter: limit, times: 2}",
-            "When B1 is more than as many m as 2 times the counter “limit” says from where it was put",
+            "When B1 is more than as many m as 2 times the counter “limit” from where it was put",
         ),
         (
             "holds, conditions: [{entity: ball, held: true}], for_s: {draw: rest}, every_s: {counter: limit}",

@@ -189,3 +189,10 @@ def test_time_of_a_record_went_on_while_the_clock_stood_still():
     assert scenario.result.rank[0].timer == "played_s"
     assert scenario.timers["played_s"].starts
     assert scenario.timers["played_s"].lasts_s is None
+
+
+def test_the_new_line_for_a_time_that_went_on_comes_with_its_timer():
+    with pytest.raises(ScenarioError) as caught:
+        load_text(HEAD % 2 + PHASE + RANK % {"time": "ascending"})
+    line, _, timers = caught.value.diagnostics[0].help.removeprefix("write ").partition(", and ")
+    assert load_text(HEAD % 2 + PHASE + f"{timers}\n" + RANK % line).scenario.timers["played"].starts

@@ -284,6 +284,13 @@ def test_how_to_win_is_of_whole_sentences():
     assert "Points count twice. Time!" in section(sheet(text + RULE), "How to win")
 
 
+def test_what_a_timer_of_each_lasts_is_read_for_each():
+    more = "counters: {laps: {per: robots}}\ntimers: {t: {per: robots, lasts_s: {counter: laps, plus: 1}}}"
+    used = f"rules: {{it: {{for_each: robots, {IT}, actions: [{{action: timer, timer: t}}]}}}}"
+    course = section(sheet(f"{more}\n{used}\n"), "Course")
+    assert "The timer “t” lasts as many s as 1, plus its counter “laps”; there is one for each of the robots." in course
+
+
 def test_a_timer_of_each_is_its_own():
     more = "timers: {run: {per: entrants}}\ncounters: {run_s: {per: entrants}}"
     counts = "for_each: entrants, triggers: [{trigger: half_ended}], actions: [{action: count, counter: run_s, to: {timer: run}}]"

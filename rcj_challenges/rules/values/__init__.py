@@ -153,7 +153,8 @@ def limit_words(phrases: Phrases, limit: Amount, written: Callable[[float], str]
     """Return a limit in words: as it is written, or ``as many m as the counter “budget” says``."""
     if isinstance(limit, int | float):
         return written(limit)
-    return f"as many {unit} as {amount_words(phrases, limit)} says"
+    is_plain = isinstance(limit, CounterValue | NumberDraw) and not limit.is_computed()
+    return f"as many {unit} as {amount_words(phrases, limit)}{' says' * is_plain}"
 
 
 __all__ = (

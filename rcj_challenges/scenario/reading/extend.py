@@ -130,9 +130,10 @@ def read_chain(source: Source) -> list[Source]:
     return chain[::-1]
 
 
-def _old(now: Node) -> Diagnostic:
-    message = "this form is of version 1 of the language"
-    return now.mark.error(codes.OLD_LANGUAGE, message, f"write {on_one_line(plain(now))}")
+def _old(now: Entries) -> Diagnostic:
+    message, timer = "this form is of version 1 of the language", now.entries.get("timer")
+    timers = f", and timers: {{{plain(timer)}: {{starts: true}}}}" if timer is not None else ""
+    return now.mark.error(codes.OLD_LANGUAGE, message, f"write {on_one_line(plain(now))}{timers}")
 
 
 _FORMS = (

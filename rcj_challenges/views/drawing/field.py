@@ -109,7 +109,8 @@ def _reach_m(scenario: Scenario, poses: Mapping[str, Pose2 | None]) -> Point:
         return x, y
     most_x, most_y = floor.width_m / 2, floor.length_m / 2
     points = [(0.0, 0.0), *((spot.x_m, spot.y_m) for spot in scenario.spots.values())]
-    points += [(pose[0], pose[1]) for pose in poses.values() if pose is not None]
+    fixed = [start_pose(scenario, name) for name in scenario.obstacles]
+    points += [(pose[0], pose[1]) for pose in (*poses.values(), *fixed) if pose is not None]
     for zone in (at_start(one, scenario) for one in scenario.zones.values() if one.drawn and not one.inverted):
         points += visible_outline(zone, field, (-most_x, -most_y, most_x, most_y))
     far_x, far_y = (max(map(abs, along)) for along in zip(*points, strict=True))

@@ -58,8 +58,9 @@ def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
     starts = f"; it starts with the {phrases.period}" if timer.starts else ""
     if timer.keep not in (None, "half"):
         starts = f"; it {'starts' if timer.starts else 'is 0'} when {_begin_words(phrases, timer.keep)}"
-    lasts = "has no end" if timer.lasts_s is None else f"lasts {duration_words(phrases, timer.lasts_s)}"
-    held = "" if timer.while_ is None else f"; it runs while {as_one(timer.while_).describe(phrases)}"
+    own = phrases.of_each(timer.per)
+    lasts = "has no end" if timer.lasts_s is None else f"lasts {duration_words(own, timer.lasts_s)}"
+    held = "" if timer.while_ is None else f"; it runs while {as_one(timer.while_).describe(own)}"
     return f"The timer {quoted(name)} {lasts}{one_for_each}{starts}{held}."
 
 

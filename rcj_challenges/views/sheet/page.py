@@ -117,7 +117,7 @@ def _ranking(phrases: Phrasebook) -> Iterator[Items]:
     rank, halves = phrases.scenario.result.rank, phrases.period.many
     if rank == Result().rank:
         return
-    own = phrases.within(Rule.model_construct(for_each=ENTRANTS, triggers=(), actions=()))
+    own = phrases.of_each(ENTRANTS)
     over = {"sum": "", "best": f", the best of the {halves}", "worst": f", the worst of the {halves}"}
     words = (
         f"{value_words(own, one.value)}{over.get(one.over, ', when the match is over')}; {one.better} is better"

@@ -46,6 +46,10 @@ class Phrasebook:
         """Return the phrasebook of one rule."""
         return Phrasebook(self.scenario, self.roster, rule)
 
+    def of_each(self, group: str | None) -> Phrasebook:
+        """Return the phrasebook of what stands in no rule, and is read for each of a group."""
+        return self.within(Rule.model_construct(for_each=group, triggers=(), actions=()))
+
     # --- names -------------------------------------------------------------------------------------------------------
 
     def thing(self, name: str) -> str:
