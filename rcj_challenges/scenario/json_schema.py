@@ -73,9 +73,8 @@ def scenario_schema() -> _Json:
         partial = frozenset(writer.partial_models)
         writer = SchemaWriter(partial_models=partial)
         properties = writer.properties(Scenario, partial=True)
-    for section in _WITHOUT_PARAM:
-        described = {"description": properties[section]["description"]}
-        properties[section] = _without_param(writer.bare_schema(fields(Scenario)[section])) | described
+    plain = SchemaWriter(with_params=False).properties(Scenario, partial=True)
+    properties |= {section: plain[section] for section in _WITHOUT_PARAM}
     fields_sent = writer.definitions["Broadcast"]["properties"]["fields"]
     for section, schema in [("fields", fields_sent), *properties.items()]:
         options = {} if section in _NEVER_REPEATED else schema.get("additionalProperties", {})
@@ -134,16 +133,14 @@ class SchemaWriter:
         is_word = "const" in schema
         if self._with_params and is_word and not (info.is_required() and isinstance(schema["const"], str)):
             schema = _or_param(schema)  # for a word that distinguishes forms `_of_any_form` does it
-        description = info.description or (sentence_of(model) if is_word else "")
-        described = {"description": description} if description else {}
-        default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
-        examples = {"examples": info.examples} if info.examples else {}
-        return {
-            **described,
-            **default,
-            **examples,
-            **{k: v for k, v in schema.items() if k != "description" or not described},
-        }
+        found: _Json = {}
+        if description := info.description or (sentence_of(model) if is_word else ""):
+            found["description"] = description
+        if info.default not in (PydanticUndefined, None):
+            found["default"] = _jsonable(info.default)
+        if info.examples:
+            found["examples"] = info.examples
+        return found | {key: value for key, value in schema.items() if key not in found}
 
     def schema(self, shape: Shape, *, partial: bool) -> _Json:
         """Return the schema of a shape; ``partial`` if a base may bring the rest of it."""
@@ -153,16 +150,10 @@ class SchemaWriter:
             return self._with_param(shape, partial=partial)
         if shared not in self.definitions:
             self.definitions[shared] = {}  # claimed first, as what it contains may contain it
-            self.definitions[shared] = self._with_param(shape, partial=False)
-            if (
-                shape == Point and self._with_params
-            ):  # a repeated rule may have a list of two numbers beside each of its names
-                self.definitions[shared] = _or_param(self.definitions[shared])
+            self.definitions[shared] = found = self._with_param(shape, partial=False)
+            if shape == Point and self._with_params:  # a column of a table may hold a list of two numbers
+                self.definitions[shared] = _or_param(found)
         return {"$ref": f"#/$defs/{shared}"}
-
-    def bare_schema(self, shape: Shape) -> _Json:
-        """Return the schema of a shape at the top of a file, for values that are no param's use."""
-        return self._plain(without_none(shape), partial=True)
 
     def _with_param(self, shape: Shape, *, partial: bool) -> _Json:
         plain = self._plain(shape, partial=partial)
@@ -321,12 +312,3 @@ def _jsonable(value: Any) -> Any:
     if isinstance(value, tuple):
         return [_jsonable(part) for part in value]
     return value
-
-
-def _without_param(schema: Any) -> Any:
-    """Return a schema in which ``{param: …}`` is no choice."""
-    if isinstance(schema, dict):
-        return {key: _without_param(value) for key, value in schema.items()}
-    if isinstance(schema, list):
-        return [_without_param(part) for part in schema if part != _PARAM_REF]
-    return schema

@@ -8,7 +8,7 @@ from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.tree import Entries, Leaf, node_at
+from rcj_challenges.scenario.tree import Entries, child, entries_of, node_at, value_of
 from rcj_challenges.scenario.walk import walk
 
 _KIND = "device"
@@ -38,16 +38,13 @@ def fill_in_devices(tree: Entries) -> None:
     ``robots: {Y1: {devices: {distancesensor front: {range_m: 0.4}}}}`` so shortens one sonar of one robot. Malformed
     parts are left to the checks that follow.
     """
-    robots = tree.entries.get("robots")
-    for robot in robots.entries if isinstance(robots, Entries) else ():
-        own, kit = (node_at(tree, ("robots", robot, key)) for key in ("devices", "kit"))
-        if not isinstance(own, Entries) or not isinstance(kit, Leaf):
-            continue
-        for name, device in own.entries.items():
-            model = node_at(tree, ("kits", str(kit.value), "devices", name))
+    for robot in entries_of(tree.entries.get("robots")).values():
+        own, kit = entries_of(child(robot, "devices")), str(value_of(child(robot, "kit")))
+        for name, device in own.items():
+            model = node_at(tree, ("kits", kit, "devices", name))
             if isinstance(device, Entries) and isinstance(model, Entries) and _KIND not in device.entries:
                 entries, key_marks = model.entries | device.entries, model.key_marks | device.key_marks
-                own.entries[name] = Entries(entries, device.mark, key_marks)
+                own[name] = Entries(entries, device.mark, key_marks)
 
 
 def referee_listens(scenario: Scenario) -> bool:

@@ -33,11 +33,10 @@ def centre_of(zone: Zone) -> tuple[float, float] | None:
         return None
     if isinstance(zone, CircleZone):
         return zone.centre_m if zone.anchor is None else None
-    sides = (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) if isinstance(zone, RectZone) else (None,) * 4
-    x_min, x_max, y_min, y_max = sides
-    if x_min is None or x_max is None or y_min is None or y_max is None:
-        return None
-    return (x_min + x_max) / 2, (y_min + y_max) / 2
+    match zone:
+        case RectZone(x_min_m=float(x_min), x_max_m=float(x_max), y_min_m=float(y_min), y_max_m=float(y_max)):
+            return (x_min + x_max) / 2, (y_min + y_max) / 2
+    return None
 
 
 def middle_of(obstacle: Obstacle) -> tuple[float, float, float]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from rcj_challenges.rules.effects import Touch
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.scenario.models.scenario import MAX_GROUPS, MAX_MEMBERS, Rule, Scenario
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, node_at
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, child, entries_of, node_at, value_of
 
 WALLS = "walls"
 ENTRANTS = "entrants"
@@ -95,22 +95,23 @@ class Roster:
 
         Unknown names stay in groups; a group that leads back to itself ends there.
         """
-        sections = {key: tuple(node.entries) for key, node in root.entries.items() if isinstance(node, Entries)}
-        colours = {name: _leaf(root, "robots", name, "colour") for name in sections.get("robots", ())}
-        groups = sections.get("groups", ())
+        sections = {key: tuple(entries_of(node)) for key, node in root.entries.items()}
+        groups = entries_of(root.entries.get("groups"))
+        if len(groups) > MAX_GROUPS:
+            groups = {}  # refused as too many; nothing more is said about them
+
+        def each(section: str, key: str) -> dict[str, Node | None]:
+            return {name: child(node, key) for name, node in entries_of(root.entries.get(section)).items()}
+
         return _roster(
             sections,
-            colours={name: colour for name, colour in colours.items() if isinstance(colour, str)},
-            movable={
-                name for name in sections.get("obstacles", ()) if _leaf(root, "obstacles", name, "movable") is True
-            },
-            parts={name: texts(node_at(root, ("groups", name)))[:MAX_MEMBERS] for name in groups[: MAX_GROUPS + 1]}
-            if len(groups) <= MAX_GROUPS
-            else {},  # refused as too many; nothing more is said about them
-            values={name: texts(node_at(root, ("draws", name, "values"))) for name in sections.get("draws", ())},
-            teams={name: _keys(root, ENTRANTS, name, "robots") for name in sections.get(ENTRANTS, ())},
-            roles={name: texts(node_at(root, ("roles", name, "of"))) for name in sections.get("roles", ())},
-            walls=_leaf(root, "field", WALLS) is not False,
+            colours={name: texts(colour)[0] for name, colour in each("robots", "colour").items() if texts(colour)},
+            movable={name for name, one in each("obstacles", "movable").items() if value_of(one) is True},
+            parts={name: texts(node)[:MAX_MEMBERS] for name, node in groups.items()},
+            values={name: texts(values) for name, values in each("draws", "values").items()},
+            teams={name: tuple(entries_of(robots)) for name, robots in each(ENTRANTS, "robots").items()},
+            roles={name: texts(of) for name, of in each("roles", "of").items()},
+            walls=value_of(node_at(root, ("field", WALLS))) is not False,
         )
 
     def names(self, section: str) -> tuple[str, ...]:
@@ -132,8 +133,7 @@ class Roster:
 
     def expand(self, names: Names, each: str | None = None) -> tuple[str, ...]:
         """Return the members that names stand for, without repeats, in order; without ``each`` that stays."""
-        found = (one for name in with_each(names, each) for one in self.groups.get(name, (name,)))
-        return tuple(dict.fromkeys(found))
+        return _each_once(with_each(names, each), self.groups)
 
     def keepers(self, group: str) -> tuple[str, ...]:
         """Return those of a group that a rule is for, or that keep something: of ``entrants`` these themselves."""
@@ -215,16 +215,6 @@ def texts(node: Node | None) -> tuple[str, ...]:
     return ()
 
 
-def _leaf(root: Entries, *path: str) -> object:
-    found = node_at(root, path)
-    return found.value if isinstance(found, Leaf) else None
-
-
-def _keys(root: Entries, *path: str) -> tuple[str, ...]:
-    found = node_at(root, path)
-    return tuple(found.entries) if isinstance(found, Entries) else ()
-
-
 def _roster(
     sections: dict[str, tuple[str, ...]],
     *,
@@ -253,14 +243,9 @@ def _roster(
         if colour not in kinds:  # which is an error
             groups[colour] = (*groups.get(colour, ()), name)
     by_colour = tuple(name for name in groups if name not in ALWAYS)
-    known: dict[str, tuple[str, ...]] = {}
-    for name in parts:
-        groups[name] = _members(name, parts, groups, known, ())
-    on_field = {
-        *things,
-        *groups,
-        *(name for section in ("zones", "gates", "spots") for name in sections.get(section, ())),
-    }
+    known = {name: members for name, members in groups.items() if name not in parts}
+    groups |= {name: _members(name, parts, known) for name in parts}
+    on_field = {*things, *groups, *kinds}
     return Roster(
         entities=entities,
         robots=len(robots),
@@ -277,31 +262,21 @@ def _roster(
         sections=sections,
         colours=by_colour,
         teams=teams,
-        roles={
-            role: tuple(
-                dict.fromkeys(
-                    one for name in names for one in (tuple(teams) if name == ENTRANTS else groups.get(name, (name,)))
-                )
-            )
-            for role, names in roles.items()
-        },
+        roles={role: _each_once(names, {**groups, ENTRANTS: tuple(teams)}) for role, names in roles.items()},
     )
 
 
+def _each_once(names: Iterable[str], groups: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(one for name in names for one in groups.get(name, (name,))))
+
+
 def _members(
-    group: str,
-    parts: Mapping[str, tuple[str, ...]],
-    always: Mapping[str, tuple[str, ...]],
-    known: dict[str, tuple[str, ...]],
-    above: tuple[str, ...],
+    group: str, parts: Mapping[str, tuple[str, ...]], known: dict[str, tuple[str, ...]], above: tuple[str, ...] = ()
 ) -> tuple[str, ...]:
+    """Return the members of a group; a group that leads back to itself, which the checks report, ends there."""
     if group in above:
-        return ()  # it leads back to itself: the checks report it, here it only must end
-    if group not in known:
-        found: list[str] = []
-        for part in parts[group]:
-            found += (
-                _members(part, parts, always, known, (*above, group)) if part in parts else always.get(part, (part,))
-            )
-        known[group] = tuple(dict.fromkeys(found))
-    return known[group]
+        return ()
+    if group in parts and group not in known:
+        inner = {part: _members(part, parts, known, (*above, group)) for part in parts[group]}
+        known[group] = _each_once(parts[group], inner)
+    return known.get(group, (group,))

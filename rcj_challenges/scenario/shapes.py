@@ -21,8 +21,12 @@ _CIRCLE_CORNERS = 72
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
     """Return a zone's outline in m without regard to ``inverted``, clipped at bounds; empty if it is outside."""
+    return clipped(_whole_outline(zone), bounds)
+
+
+def clipped(outline: list[Point], bounds: Box) -> list[Point]:
+    """Return the part of a polygon or of a line that is within bounds, its ends included; empty if there is none."""
     left, bottom, right, top = bounds
-    outline = _whole_outline(zone)
     for through, normal in (((left, 0), (1, 0)), ((right, 0), (-1, 0)), ((0, bottom), (0, 1)), ((0, top), (0, -1))):
         outline = _beyond(outline, through, normal)
     return outline

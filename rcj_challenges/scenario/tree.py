@@ -166,6 +166,21 @@ def child(node: Node | None, step: Step) -> Node | None:
     return None
 
 
+def entries_of(node: Node | None) -> dict[str, Node]:
+    """Return the entries of a mapping; of anything else none."""
+    return node.entries if isinstance(node, Entries) else {}
+
+
+def items_of(node: Node | None) -> list[Node]:
+    """Return the entries of a list; of anything else none."""
+    return node.items if isinstance(node, Items) else []
+
+
+def value_of(node: Node | None) -> str | int | float | bool | None:
+    """Return a single value; None of anything else."""
+    return node.value if isinstance(node, Leaf) else None
+
+
 def deepest(root: Node, path: Sequence[Step]) -> tuple[Node, int]:
     """Return the last value on a path that exists, and how many steps lead to it."""
     node = root

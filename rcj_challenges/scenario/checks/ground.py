@@ -24,7 +24,7 @@ from rcj_challenges.scenario.outlines import (
     overlap,
     robot_outline,
 )
-from rcj_challenges.scenario.positions import start_pose
+from rcj_challenges.scenario.positions import centre_of, start_pose
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import fixed_spots
 from rcj_challenges.scenario.tree import Path
@@ -60,11 +60,8 @@ def _shapes(scenario: Scenario) -> Iterator[Diagnostic]:
     for model, path in walk(scenario):
         for name in roster.expand(model.uniform_in) if isinstance(model, UniformIn) else ():
             if name in scenario.zones and not _is_bounded(scenario.zones[name]):
-                message, help_ = (
-                    f"zone '{name}' has no end in some direction, or an anchor",
-                    "name a fixed, bounded zone",
-                )
-                yield issue(codes.UNBOUNDED_ZONE, (*path, "uniform_in"), message, help_)
+                message = f"zone '{name}' has no end in some direction, or an anchor"
+                yield issue(codes.UNBOUNDED_ZONE, (*path, "uniform_in"), message, "name a fixed, bounded zone")
 
 
 def _moving_paint(scenario: Scenario) -> Iterator[Diagnostic]:
@@ -85,8 +82,6 @@ def _zone(zone: Zone, path: Path) -> Iterator[Diagnostic]:
             if low is not None and high is not None and low >= high:
                 message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}"
                 yield issue(codes.EMPTY_SHAPE, (*path, f"{axis}_min_m"), message)
-        if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
-            yield issue(codes.MISSING_KEY, path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
     if isinstance(zone, PolygonZone) and not is_simple(zone.points_m):
         message = "the outline crosses or touches itself, or has no area"
         yield issue(codes.EMPTY_SHAPE, (*path, "points_m"), message, "give its corners in order")
@@ -99,10 +94,7 @@ def _is_a_point(obstacle: Obstacle) -> bool:
 
 
 def _is_bounded(zone: Zone) -> bool:
-    if zone.inverted or isinstance(zone, HalfPlaneZone) or (isinstance(zone, CircleZone) and zone.anchor):
-        return False
-    limits = (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) if isinstance(zone, RectZone) else ()
-    return None not in limits
+    return centre_of(zone) is not None or (isinstance(zone, PolygonZone) and not zone.inverted)
 
 
 # --- field and goals --------------------------------------------------------------------------------------------------

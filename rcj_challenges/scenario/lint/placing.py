@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import combinations
 
 from rcj_challenges.core.diagnostics import Diagnostic
@@ -13,11 +13,11 @@ from rcj_challenges.rules.placement import places
 from rcj_challenges.scenario.checks.ground import obstacle_bodies
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Floor, Part, disc, overlap, robot_outline
 from rcj_challenges.scenario.positions import floor_parts, on_floor
 from rcj_challenges.scenario.rule_effects import fixed_spots
+from rcj_challenges.scenario.shapes import clipped, zone_outline
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import effects_in
 
@@ -31,39 +31,17 @@ class OffTheField(LintRule, code="off-the-field"):
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         parts = floor_parts(ctx.scenario.field)
-        corners = [corner for part in parts for corner in part]
+        xs, ys = zip(*(corner for part in parts for corner in part), strict=True)
+        box = min(xs), min(ys), max(xs), max(ys)
         for name, zone in ctx.scenario.zones.items():
-            if _lies_beside(zone, corners):
+            if not zone.inverted and not zone_outline(zone, box):
                 yield self.at(("zones", name), noun="zone", name=name)
         for name, gate in ctx.scenario.gates.items():
-            if gate.anchor is None and _are_beside([gate.from_m, gate.to_m], corners):
+            if gate.anchor is None and not clipped([gate.from_m, gate.to_m], box):
                 yield self.at(("gates", name), noun="gate", name=name)
         for name, spot in fixed_spots(ctx.scenario).items():
             if not on_floor((spot.x_m, spot.y_m), parts):
                 yield self.at(("spots", name), noun="spot", name=name)
-
-
-def _lies_beside(zone: Zone, floor: Sequence[Point]) -> bool:
-    """Return whether a zone has no point inside the smallest rectangle around the floor."""
-    if zone.inverted:
-        return False
-    if isinstance(zone, HalfPlaneZone):
-        (px, py), (nx, ny) = zone.through_m, zone.normal
-        return all((x - px) * nx + (y - py) * ny < 0 for x, y in floor)
-    if isinstance(zone, CircleZone):
-        (x, y), r = zone.middle_m, zone.radius_m
-        return _are_beside([(x - r, y - r), (x + r, y + r)], floor)
-    if isinstance(zone, RectZone):
-        far = 100.0  # stands for a side that is open
-        low = (-far if zone.x_min_m is None else zone.x_min_m, -far if zone.y_min_m is None else zone.y_min_m)
-        high = (far if zone.x_max_m is None else zone.x_max_m, far if zone.y_max_m is None else zone.y_max_m)
-        return _are_beside([low, high], floor)
-    return _are_beside(zone.points_m, floor)
-
-
-def _are_beside(points: Sequence[Point], floor: Sequence[Point]) -> bool:
-    axes = zip(zip(*points, strict=True), zip(*floor, strict=True), strict=True)
-    return any(max(mine) < min(its) or min(mine) > max(its) for mine, its in axes)
 
 
 class RobotWithoutProgram(LintRule, code="robot-without-program"):

@@ -25,6 +25,8 @@ class RectZone(_Zone):
     """A rectangle parallel to the axes; a side that is omitted is open. Points on an edge are outside."""
 
     shape: Literal["rect"]
+    REQUIRES = (("x_min_m",), ("x_max_m",), ("y_min_m",), ("y_max_m",))
+
     x_min_m: float | None = described(None, "smallest x in m; if omitted: open")
     x_max_m: float | None = described(None, "largest x in m; if omitted: open")
     y_min_m: float | None = described(None, "smallest y in m; if omitted: open")

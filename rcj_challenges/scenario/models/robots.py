@@ -1,5 +1,6 @@
 """Sections ``kits``, ``robots`` and ``entrants``: the machines, their devices, and who drives them."""
 
+from dataclasses import replace
 from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
@@ -7,7 +8,7 @@ from pydantic import Field, StringConstraints
 from rcj_challenges.chassis import USUAL_CHASSIS, AnyChassis
 from rcj_challenges.devices import AnyDevice
 from rcj_challenges.rules.fields import DeviceName, Name, Point, Strict, described
-from rcj_challenges.rules.refs import ONE_ROBOT, Ref, SectionRef
+from rcj_challenges.rules.refs import ONE_ROBOT, SectionRef
 
 
 class Kit(Strict):
@@ -69,7 +70,7 @@ EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(strict=False,
 class Entrant(Strict):
     """A competitor and the robots that its programs drive. ``check`` requires a ZIP to contain these programs."""
 
-    robots: Annotated[dict[Name, EntryPoints], Ref("robot", frozenset({"robot"}), keys=True)] = described(
+    robots: Annotated[dict[Name, EntryPoints], replace(ONE_ROBOT, keys=True)] = described(
         ...,
         "program for each robot: a path inside the submission, or a list of paths, of which the "
         "first that exists is used",

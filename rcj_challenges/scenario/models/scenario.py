@@ -11,7 +11,22 @@ from rcj_challenges.rules.effects import Effect, Moment
 from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.message import Said
 from rcj_challenges.rules.ranked import BY_SCORE, AnyRanked
-from rcj_challenges.rules.refs import ENTRANT, FIXED, KEEP, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
+from rcj_challenges.rules.refs import (
+    COUNTER,
+    ENTRANT,
+    FIXED,
+    FLAG,
+    KEEP,
+    KEEPERS,
+    MEMBERS,
+    MOVING,
+    ONE_ENTITY,
+    ONE_ROBOT,
+    PHASE,
+    ROLE,
+    Ref,
+    SectionRef,
+)  # fmt: skip
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Lasts, Value
 from rcj_challenges.scenario.models.designs import Guideline
@@ -37,10 +52,15 @@ RowValues = Annotated[
 
 _Times = Annotated[int, Field(ge=1)]
 
-_COUNTERS = SectionRef("counter", ("counters",), keys=True)
-_FLAGS = SectionRef("flag", ("flags",), keys=True)
-_ROLES = SectionRef("role", ("roles",), keys=True)
-_SCORES = SectionRef("entrant", ("entrants",), keys=True)
+_Counters = Annotated[dict[Name, float | dict[Name, float]], replace(COUNTER, keys=True)]
+_Flags = Annotated[dict[Name, bool | dict[Name, bool]], replace(FLAG, keys=True)]
+_Roles = Annotated[dict[Name, Name], replace(ROLE, keys=True)]
+_Scores = Annotated[dict[Name, float], replace(ENTRANT, keys=True)]
+_BY_ROBOT = replace(ONE_ROBOT, keys=True)
+_Poses = Annotated[
+    dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
+    replace(ONE_ENTITY, keys=True),
+]
 
 
 class Rule(Strict):
@@ -131,9 +151,7 @@ class Broadcast(Strict):
     """What programs receive after the official packet: a JSON object on the same channel."""
 
     fields: dict[Name, Value] = described({}, "values by key, sent to all robots")
-    only: Annotated[
-        dict[Name, dict[Name, Value]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
-    ] = described(
+    only: Annotated[dict[Name, dict[Name, Value]] | None, replace(_BY_ROBOT, groups=True)] = described(
         None,
         "by the name of a robot or group: values by key that are added to the object for these robots only; if "
         "a robot gets the same key twice, the later one counts",
@@ -153,19 +171,13 @@ class Keyframe(Strict):
     """A moment of the script: placements, moves, touches, program faults, messages to the referee."""
 
     at_s: float = described(..., "time since the start of the half in s", ge=0, le=86_400)
-    place: Annotated[
-        dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
-        Ref("entity", MOVING, keys=True),
-    ] = described(
+    place: _Poses = described(
         {},
         "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it may enter zones and cross "
         "gates, but it has no speed in that tick, and conditions about speed fail; from off the field it "
         "comes back, as if a rule had placed it",
     )
-    move: Annotated[
-        dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
-        Ref("entity", MOVING, keys=True),
-    ] = described(
+    move: _Poses = described(
         {},
         "entity -> [x, y] or [x, y, yaw]: it moves there in a straight line from its position at the previous "
         "keyframe (from off the field: it comes back there); if a rule places or removes it meanwhile, it stays "
@@ -184,7 +196,7 @@ class Keyframe(Strict):
     fault: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
         (), strict=False, description="robots whose programs fail at this moment"
     )
-    tells: Annotated[dict[Name, Said | Point] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
+    tells: Annotated[dict[Name, Said | Point] | None, _BY_ROBOT] = described(
         None, "robot -> its message to the referee by radio: text, a number, or [x, y] in m"
     )
 
@@ -212,18 +224,18 @@ class ExpectedEvent(Strict):
 class Given(Strict):
     """The state at the start of a test, before the first rule, as if part of the match had already been played."""
 
-    score: Annotated[dict[Name, float], _SCORES] = described({}, "entrant -> points; if omitted: 0")
-    counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
+    score: _Scores = described({}, "entrant -> points; if omitted: 0")
+    counters: _Counters = described(
         {},
         "counter -> value (for a per-entity counter: of all members), or {entity: value, …}; if omitted: its "
         "initial value",
     )
-    flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
+    flags: _Flags = described(
         {},
         "flag -> true or false (for a per-entity flag: of all members), or {entity: true or false, …}; if "
         "omitted: its initial value",
     )
-    roles: Annotated[dict[Name, Name], _ROLES] = described({}, "role -> the member that has it, or none")
+    roles: _Roles = described({}, "role -> the member that has it, or none")
 
 
 Ranking = Annotated[
@@ -270,30 +282,25 @@ class Expectation(Strict):
         strict=False,
         description="events left out of the comparison, unless they are expected by name; a list replaces this one",
     )
-    score: Annotated[dict[Name, float], _SCORES] = described({}, "score by entrant at the end")
-    counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
-        {}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}"
-    )
-    flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
+    score: _Scores = described({}, "score by entrant at the end")
+    counters: _Counters = described({}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}")
+    flags: _Flags = described(
         {}, "flags at the end; for a per-entity flag, whether any is set, or {entity: true or false, …}"
     )
-    roles: Annotated[dict[Name, Name], _ROLES] = described({}, "role -> the member that has it at the end, or none")
+    roles: _Roles = described({}, "role -> the member that has it at the end, or none")
     phase: Annotated[Name | None, PHASE] = described(None, "the phase at the end")
     ranking: Annotated[Ranking | None, ENTRANT] = described(
         None,
         "all entrants, best first, as `result` would rank them if the match were over; entrants in a list "
         "share a place",
     )
-    held: Annotated[dict[Name, bool] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
+    held: Annotated[dict[Name, bool] | None, _BY_ROBOT] = described(
         None, "robot -> true or false: whether a rule or the phase holds it at the end"
     )
-    told: Annotated[
-        dict[Name, dict[Name, Scalar | ToldNumbers]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
-    ] = described(
+    told: Annotated[dict[Name, dict[Name, Scalar | ToldNumbers]] | None, replace(_BY_ROBOT, groups=True)] = described(
         None,
-        "robot or group -> key -> the value in its last broadcast (a position is [x, y] or [x, "
-        "y, yaw]); "
-        "omitted keys are not compared",
+        "robot or group -> key -> the value in its last broadcast (a position is [x, y] or [x, y, yaw]); omitted keys "
+        "are not compared",
     )
     ended: Literal["half", "match", "none"] | None = described(
         None,
@@ -304,9 +311,7 @@ class Expectation(Strict):
         dict[Name, Annotated[tuple[float, float], Field(strict=False)]],
         Ref("entity or spot", MOVING | frozenset({"spot"}), keys=True),
     ] = described({}, "entity or spot -> [x, y] at the end in m; what is off the field is at no place")
-    off: Annotated[Names | None, Ref("entity", MOVING, groups=True)] = described(
-        None, "entities or groups that are off the field at the end"
-    )
+    off: Annotated[Names | None, MEMBERS] = described(None, "entities or groups that are off the field at the end")
     tolerance_m: float = described(0.001, "largest permitted deviation of a pose in m", ge=0)
     tolerance_counters: float | None = described(
         None, "largest permitted deviation of a counter, such as one that stores a time; if omitted: none", ge=0
@@ -325,12 +330,8 @@ class MatchExpectation(Strict):
         description="the halves, each a test of its own by the seats in that half, without seed, half and ranking; "
         "each but the last is over after lasts_s",
     )
-    score: Annotated[dict[Name, float], _SCORES] = described(
-        {}, "score at the end by team, which is named by its seat in the first half"
-    )
-    counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
-        {}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}"
-    )
+    score: _Scores = described({}, "score at the end by team, which is named by its seat in the first half")
+    counters: _Counters = described({}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}")
     tolerance_counters: float | None = described(
         None, "largest permitted deviation of a counter; if omitted: none", ge=0
     )

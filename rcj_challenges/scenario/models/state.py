@@ -13,6 +13,7 @@ _KEEP = (
     "half: it is reset in each half; match: it goes on in the next half{}; phase: it is reset in each phase; the "
     "name of a phase: it is reset when that phase begins{}"
 )
+_PER = "entrants, or a group of entities, fixed obstacles, zones or gates: each member has its own"
 
 
 class Draw(Strict):
@@ -31,9 +32,8 @@ class Draw(Strict):
     )
     not_again: Literal["half", "match"] | None = described(
         None,
-        "half: within a half, no value is repeated until all have been drawn; match: the same "
-        "across all halves; "
-        "a value set by a rule counts as drawn; if omitted: every draw uses all values",
+        "half: within a half, no value is repeated until all have been drawn; match: the same across all halves; a "
+        "value set by a rule counts as drawn; if omitted: every draw uses all values",
     )
     keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half and is not redrawn")
 
@@ -77,9 +77,7 @@ class Counter(Strict):
         "value at the start of a half or, with keep: match, at the start of the match; none: there is no such number "
         "yet; if omitted: 0 or, with keeps, none",
     )
-    per: Annotated[Name | None, KEEPERS] = described(
-        None, "entrants, or a group of entities, fixed obstacles, zones or gates: each member has its own counter"
-    )
+    per: Annotated[Name | None, KEEPERS] = described(None, f"{_PER} counter")
     keep: Annotated[Name | None, KEEP] = described(
         None, _KEEP.format(", with the robot, not with the team", "; if omitted: half")
     )
@@ -99,9 +97,7 @@ class Flag(Strict):
     """A yes/no value that rules set."""
 
     initial: bool = described(False, "value at the start")
-    per: Annotated[Name | None, KEEPERS] = described(
-        None, "entrants, or a group of entities, fixed obstacles, zones or gates: each member has its own flag"
-    )
+    per: Annotated[Name | None, KEEPERS] = described(None, f"{_PER} flag")
     keep: Annotated[Name, KEEP] = described("half", _KEEP.format("", ""))
 
     @property
@@ -118,9 +114,7 @@ class Timer(Strict):
         "its length in s, read when the timer starts from 0 (at least one tick); with per, each is the member; if "
         "omitted, or without such a number, it runs on",
     )
-    per: Annotated[Name | None, KEEPERS] = described(
-        None, "entrants, or a group of entities, fixed obstacles, zones or gates: each member has its own timer"
-    )
+    per: Annotated[Name | None, KEEPERS] = described(None, f"{_PER} timer")
     starts: bool = described(False, "True: it runs from the start, of the half or as `keep` says")
     keep: Annotated[Name | None, KEEP] = described(None, _KEEP.format("", "; if omitted: half"))
     while_: tuple[AnyCondition, ...] | None = Field(

@@ -30,7 +30,19 @@ from rcj_challenges.scenario.shape import (
     tag_of,
     usual_tag,
 )
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, node_at
+from rcj_challenges.scenario.tree import (
+    Entries,
+    Leaf,
+    Mark,
+    Node,
+    Path,
+    child,
+    entries_of,
+    in_names,
+    items_of,
+    node_at,
+    value_of,
+)
 
 REPEAT_FOR = "repeat_for"
 
@@ -105,12 +117,13 @@ class Merger:
                 else:
                     fresh.put(key, self.adopt(inner, step_into(shape, node, key), (*path, key)), node.key_marks[key])
             return fresh
-        for index, item in enumerate(node.items if isinstance(node, Items) else ()):
+        items = items_of(node)
+        for index, item in enumerate(items):
             if isinstance(item, Leaf) and item.value is None:
                 message = "an empty list entry" if item.empty else "null has no meaning here"
                 self._add(MISSING_VALUE, item.mark, (*path, index), message, "write a value, or leave the entry out")
-            elif isinstance(node, Items):
-                node.items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
+            else:
+                items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
         return node
 
     def _same_kind(self, before: Entries, node: Entries, shape: Shape) -> bool:
@@ -158,7 +171,7 @@ class Merger:
 def of_repeated(name: str, section: Entries) -> str:
     """Return the help for a change or removal of a copy of a repeated entry; empty if there is no such entry."""
     for entry, node in section.entries.items():
-        if isinstance(node, Entries) and REPEAT_FOR in node.entries and name.startswith(f"{entry}_"):
+        if REPEAT_FOR in entries_of(node) and name.startswith(f"{entry}_"):
             return f"copies of '{entry}' are changed there, or in the table for which it is repeated"
     return ""
 
@@ -174,21 +187,16 @@ def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:
 
 def leave_entrants(base: Entries, written: Entries) -> None:
     """Take robots that a file removes out of the entrants of its base, and entrants that have none left."""
-    gone = _entries(written.entries.get("robots")).keys() - _entries(base.entries.get("robots")).keys()
+    gone = entries_of(written.entries.get("robots")).keys() - entries_of(base.entries.get("robots")).keys()
     entrants = base.entries.get("entrants")
-    for seat, entrant in list(_entries(entrants).items()) if gone else ():
-        driven, own = _entries(child(entrant, "robots")), node_at(written, ("entrants", seat))
-        for name in gone & driven.keys() - _entries(child(own, "robots")).keys():
+    for seat, entrant in list(entries_of(entrants).items()) if gone else ():
+        driven, own = entries_of(child(entrant, "robots")), node_at(written, ("entrants", seat))
+        for name in gone & driven.keys() - entries_of(child(own, "robots")).keys():
             del driven[name]
         if not driven and own is None:
-            _entries(entrants).pop(seat)
-
-
-def _entries(node: Node | None) -> dict[str, Node]:
-    return node.entries if isinstance(node, Entries) else {}
+            entries_of(entrants).pop(seat)
 
 
 def is_param(node: Node) -> bool:
     """Return whether a mapping reads ``{param: NAME}``, whatever stands beside."""
-    name = node.entries.get("param") if isinstance(node, Entries) else None
-    return isinstance(name, Leaf) and isinstance(name.value, str)
+    return isinstance(value_of(child(node, "param")), str)

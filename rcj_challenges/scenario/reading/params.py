@@ -32,7 +32,19 @@ from rcj_challenges.scenario.shape import (
     members,
     step_into,
 )
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, nodes_in
+from rcj_challenges.scenario.tree import (
+    Entries,
+    Items,
+    Leaf,
+    Mark,
+    Node,
+    Path,
+    child,
+    entries_of,
+    in_names,
+    nodes_in,
+    value_of,
+)
 
 THIS = "this"
 """What the name of a row is called within a repeated rule."""
@@ -143,8 +155,7 @@ def resolve_params(root: Entries, merger: Merger) -> None:
 
 def params_of(root: Entries) -> dict[str, Node]:
     """Return the scenario's params by name."""
-    params = root.entries.get("params")
-    return params.entries if isinstance(params, Entries) else {}
+    return entries_of(root.entries.get("params"))
 
 
 @dataclass
@@ -186,14 +197,15 @@ class Resolver:
 
     def stood_for(self, node: Entries, path: Path) -> Leaf | Items:  # noqa: PLR0911
         """Return the value for which a use of a param stands; what is wrong with it is added to the problems."""
-        mark, name = node.entries["param"].mark, _name(node)
+        mark, name, of = node.entries["param"].mark, _name(node), node.entries.get("of")
         unknown = Leaf(None, mark, note="unknown param", param=name)
-        row = self.row if "of" not in node.entries else self._other(node, path)
-        if "of" in node.entries and name not in (row or ()):
+        row = (self.row or {}) if of is None else self.other
+        if of is not None and (name not in row or value_of(of) != "other"):
+            help_ = "write of: other, with a column of a table of two rows for which the entry is repeated"
+            self._add(WRONG_PARAM_USE, path, of.mark, f"there is no other row with '{cut(name)}'", help_)
             return unknown
-        is_of_row = row is not None and name in row
-        value = row[name] if row is not None and is_of_row else self.params.get(name)
-        if is_of_row and isinstance(value, Items):
+        value = row[name] if name in row else self.params.get(name)
+        if name in row and isinstance(value, Items):
             if not node.entries.keys() <= {"param", "of"}:
                 message = f"param '{name}' is {format_node(value)}"
                 self._add(WRONG_PARAM_USE, path, mark, message, "nothing can stand beside it")
@@ -205,37 +217,26 @@ class Resolver:
             if value is None:
                 self._add(UNKNOWN_PARAM, path, mark, f"unknown param '{cut(name)}'", self._hint(name))
             return unknown
-        factors = self._factors(node, path)
+        factors, number = self._factors(node, path), value.value
         if factors is None:
             return unknown
-        number = value.value
         formula = "".join(f" {key} {factor}" for key, factor in factors.items())
-        if factors and (isinstance(number, str | bool) or number is None):
-            message = f"param '{name}' is {format_node(value)}"
-            self._add(WRONG_PARAM_USE, path, mark, message, "times and plus are for numbers")
-            return unknown
-        if factors and isinstance(number, int | float):
-            number = compute(number, factors.get("times", 1), factors.get("plus", 0))
+        if factors:
+            wrong, help_ = f" is {format_node(value)}", "times and plus are for numbers"
+            if isinstance(number, int | float) and not isinstance(number, bool):
+                number, wrong, help_ = compute(number, **factors), f"{formula} is too large a number", ""
+            else:
+                number = None
             if number is None:
-                self._add(WRONG_PARAM_USE, path, mark, f"param '{name}'{formula} is too large a number")
+                self._add(WRONG_PARAM_USE, path, mark, f"param '{name}'{wrong}", help_)
                 return unknown
-        return Leaf(number, mark, note=f"param '{name}'{formula}", param=value.param if is_of_row else name)
-
-    def _other(self, use: Entries, path: Path) -> Mapping[str, Leaf | Items]:
-        """Return what is known of the other row of a table of two; empty, and reported, if it has no such column."""
-        name, of = _name(use), use.entries["of"]
-        if name in self.other and isinstance(of, Leaf) and of.value == "other":
-            return self.other
-        help_ = "write of: other, with a column of a table of two rows for which the entry is repeated"
-        self._add(WRONG_PARAM_USE, path, of.mark, f"there is no other row with '{cut(name)}'", help_)
-        return {}
+        return Leaf(number, mark, note=f"param '{name}'{formula}", param=value.param if name in row else name)
 
     def _factors(self, use: Entries, path: Path) -> dict[str, int | float] | None:
         """Return the numbers beside a param's name by their keys; None if something is wrong with them."""
         factors: dict[str, int | float] = {}
-        for key, node in use.entries.items():
-            if key in ("param", "of"):
-                continue
+        others = {key: node for key, node in use.entries.items() if key not in ("param", "of")}
+        for key, node in others.items():
             number = node.value if isinstance(node, Leaf) else ""
             if key not in KEYS:
                 message = f"unknown key '{key[:64]}'"
@@ -245,11 +246,7 @@ class Resolver:
                 self._add(WRONG_PARAM_USE, (*path, key), node.mark, expected(float, node), help_)
             elif number is not None:  # what is left empty, or is null, has been reported already
                 factors[key] = number
-        return (
-            {key: factors[key] for key in KEYS if key in factors}
-            if len(factors) == len(use.entries.keys() - {"param", "of"})
-            else None
-        )
+        return {key: factors[key] for key in KEYS if key in factors} if len(factors) == len(others) else None
 
     def _hint(self, name: str) -> str:
         if name == THIS and self.row is None:
@@ -264,11 +261,10 @@ class Resolver:
 
 
 def _name(node: Entries) -> str:
-    use = child(node, "param")
-    return str(use.value) if isinstance(use, Leaf) else ""
+    return str(value_of(child(node, "param")))
 
 
-def compute(value: float, times: float, plus: float) -> int | float | None:
+def compute(value: float, times: float = 1, plus: float = 0) -> int | float | None:
     """Return a product plus a number, exact before it is rounded (3 times 0.1 is 0.3); None: too large."""
     if isinstance(value, int) and isinstance(times, int) and isinstance(plus, int):
         whole = value * times + plus

@@ -24,7 +24,23 @@ from rcj_challenges.scenario.placeholders import PLACEHOLDERS, fill_generally, f
 from rcj_challenges.scenario.reading.merge import REPEAT_FOR, Merger, Repeated, is_param
 from rcj_challenges.scenario.reading.params import THIS, Resolver, params_of
 from rcj_challenges.scenario.shape import Shape, step_into
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, copied, in_names, node_at, nodes_in
+from rcj_challenges.scenario.tree import (
+    Entries,
+    Items,
+    Leaf,
+    Mark,
+    Node,
+    Path,
+    child,
+    copied,
+    entries_of,
+    in_names,
+    items_of,
+    mark_of,
+    node_at,
+    nodes_in,
+    value_of,
+)
 
 RULES, TABLES, GROUPS, LAYOUTS = "rules", "tables", "groups", "placements"
 _ON_FIELD = frozenset({"robots", "balls", "obstacles", "zones", "gates", "spots"})
@@ -64,8 +80,7 @@ def repeat_entries(root: Entries, merger: Merger) -> None:
         node = node_at(root, path)
         if isinstance(node, Entries) and path[0] not in (TABLES, "params"):
             copier.copy_named(node, path)
-    layouts = root.entries.get(LAYOUTS)
-    for name, layout in layouts.entries.items() if isinstance(layouts, Entries) else ():
+    for name, layout in entries_of(root.entries.get(LAYOUTS)).items():
         if isinstance(layout, Items):
             copier.copy_listed(layout, (LAYOUTS, name))
 
@@ -163,29 +178,20 @@ class _Copier:
             tables.append(self._table(name, one.mark, at))
             if not tables[-1]:
                 return []
-        uses = [str(one.entries["param"].value) for one in nodes_in(entry) if is_param(one)]  # type: ignore[union-attr]
-        size = sum(1 for _ in nodes_in(entry))
-        rows = (
-            [_crossed({one: self._kind(one) for one in named}, of_tables, tables) for of_tables in product(*tables)]
-            if self._is_small(tables)
-            else []
-        )
-        self.left -= sum(size + _listed_in(row.values, uses) for row in rows)
-        if self.left < 0 or not self._is_small(tables):
+        # Of a use of a param that is a list there is one more for each of its values.
+        lists = [len(items_of(value)) for table in tables for _, row in table for value in row.values()]
+        size = sum(1 + is_param(one) * max(lists, default=0) for one in nodes_in(entry))
+        self.left -= size * prod(map(len, tables))
+        if self.left < 0:
             message = f"too much is repeated: written out it would be more than {_MAX_VALUES} single values"
-            mark = written.mark
-            self.problems.append(mark.error(SCENARIO_TOO_LARGE, message, "", in_names(self.root, path)))
+            self.problems.append(written.mark.error(SCENARIO_TOO_LARGE, message, "", in_names(self.root, path)))
             return []
-        return rows
+        kinds = {one: self._kind(one) for one in named}
+        return [_crossed(kinds, of_tables, tables) for of_tables in product(*tables)]
 
     def _kind(self, table: str) -> str:
-        entrants = self.root.entries.get("entrants")
-        is_teams = isinstance(entrants, Entries) and {row for row, _ in self.tables[table]} <= {*entrants.entries}
+        is_teams = {row for row, _ in self.tables[table]} <= entries_of(self.root.entries.get("entrants")).keys()
         return "team" if is_teams else table.replace("_", " ").removesuffix("s")
-
-    @staticmethod
-    def _is_small(tables: list[list[tuple[str, _Values]]]) -> bool:
-        return prod(map(len, tables)) <= _MAX_VALUES
 
     def _table(self, name: str, mark: Mark, at: Path) -> list[tuple[str, _Values]]:
         """Return the rows of a table by name, with the values of their columns; what is malformed is left out."""
@@ -193,13 +199,13 @@ class _Copier:
             return self.tables[name]
         table = node_at(self.root, (TABLES, name))
         if not isinstance(table, Entries):
-            section = self.root.entries.get(TABLES)
             if table is None:
-                known = section.entries if isinstance(section, Entries) else {}
+                known = entries_of(self.root.entries.get(TABLES))
                 self._add(at, mark, f"unknown table '{name[:64]}'", choice_of(name, known, "table") if known else _FORM)
             return []
-        named = {row: inner for row, inner in table.entries.items() if _NAME.fullmatch(row)}
-        rows = {row: inner for row, inner in named.items() if isinstance(inner, Entries)}
+        rows = {
+            row: inner for row, inner in table.entries.items() if isinstance(inner, Entries) and _NAME.fullmatch(row)
+        }
         self._check_columns(name, table, rows)
         columns = dict.fromkeys(key for row in rows.values() for key in row.entries if key not in (THIS, name))
         found: list[tuple[str, _Values]] = []
@@ -213,13 +219,11 @@ class _Copier:
 
     def _check_columns(self, table: str, node: Entries, rows: Mapping[str, Entries]) -> None:
         """Refuse columns that would hide something, and rows that have other columns than the first one."""
-        params = self.root.entries.get("params")
-        where = params.key_marks if isinstance(params, Entries) else {}
-        for name in [one for one in (THIS, table) if one in where and one not in self.taken]:
+        for name in [one for one in (THIS, table) if one in self.params and one not in self.taken]:
             self.taken.add(name)
             message = f"'{name}' is the row for which an entry of table '{table}' is repeated"
-            help_ = "give the param another name"
-            self.problems.append(where[name].error(NAME_TAKEN, message, help_, f"params.{name}"))
+            mark = mark_of(self.root, ("params", name), at_key=True)
+            self.problems.append(mark.error(NAME_TAKEN, message, "give the param another name", f"params.{name}"))
         first = next(iter(rows), "")
         usual = rows[first].entries if rows else {}
         hidden: set[str] = set()
@@ -228,18 +232,18 @@ class _Copier:
             missing = [key for key in usual if key not in inner.entries]
             surplus = [key for key in inner.entries if key not in usual]
             for key, mark in inner.key_marks.items():
-                if key in (THIS, table):
-                    self._add((*at, key), mark, f"'{key}' is '{row}' itself", "choose another name for the column")
-                elif key in where and key not in hidden:
+                message = f"'{key}' is '{row}' itself" if key in (THIS, table) else ""
+                if not message and key in self.params and key not in hidden:
                     hidden.add(key)
-                    message = f"'{key}' is a param of the scenario already{_line(where[key], mark)}"
+                    param = mark_of(self.root, ("params", key), at_key=True)
+                    message = f"'{key}' is a param of the scenario already{_line(param, mark)}"
+                if message:
                     self._add((*at, key), mark, message, "choose another name for the column")
             for key in surplus:
                 hint = did_you_mean(key, missing, help_)
                 self._add((*at, key), inner.key_marks[key], f"'{first}' has no '{key}'", hint)
             if missing and not surplus:
-                message = f"'{missing[0]}' is missing, which '{first}' has"
-                self._add(at, node.key_marks[row], message, help_)
+                self._add(at, node.key_marks[row], f"'{missing[0]}' is missing, which '{first}' has", help_)
 
     def _value(self, node: Node, path: Path) -> Leaf | Items:
         """Return a single value or a list of them, params in it resolved; what is neither is reported as such."""
@@ -262,7 +266,7 @@ class _Copier:
         return found
 
     def _unfilled(self, entry: Entries, shape: Shape, path: Path) -> Node:
-        uses = [str(one.entries["param"].value) for one in nodes_in(entry) if is_param(one)]  # type: ignore[union-attr]
+        uses = [str(value_of(child(one, "param"))) for one in nodes_in(entry) if is_param(one)]
         unknown = {one: Leaf(None, entry.mark) for one in uses if one not in self.params}
         return self._filled(entry, shape, path, _Row({}, (), unknown, unknown))
 
@@ -276,9 +280,9 @@ def _crossed(
     """Return one row of each of several tables as one; only a single table has ``this``."""
     values: dict[str, Leaf | Items] = {}
     other: dict[str, Leaf | Items] = {}
-    for row, table in zip(rows, tables, strict=True):
-        values |= row[1]
-        other |= next((one for name, one in table if name != row[0]), {}) if len(table) == 2 else {}
+    for (name, own), table in zip(rows, tables, strict=True):
+        values |= own
+        other |= next((one for row, one in table if row != name), {}) if len(table) == 2 else {}
     if len(rows) > 1:
         values.pop(THIS, None)
         other.pop(THIS, None)
@@ -308,17 +312,11 @@ def _in_general(row: _Row, values: Mapping[str, Scalar | list[Scalar]]) -> dict[
         for key, value in values.items()
     }
     found |= {table: (Noun(kind, table).a, f"the {kind}") for table, kind in row.kinds.items()}
-    return found | {name: found[table] for name in (THIS,) for table in row.kinds if len(row.kinds) == 1}
+    return found | ({THIS: found[next(iter(row.kinds))]} if len(row.kinds) == 1 else {})
 
 
 def _is_repeated(entry: Node) -> bool:
-    return isinstance(entry, Entries) and REPEAT_FOR in entry.entries
-
-
-def _listed_in(values: _Values, uses: Iterable[str]) -> int:
-    """Return the number of single values from lists that stand where some params are used."""
-    lists = (values.get(name) for name in uses)
-    return sum(len(one.items) for one in lists if isinstance(one, Items))
+    return REPEAT_FOR in entries_of(entry)
 
 
 def _as_words(value: Leaf | Items) -> Scalar | list[Scalar] | None:

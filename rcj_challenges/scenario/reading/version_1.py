@@ -5,9 +5,20 @@ This is the only module that knows how version 1 was written. Where nothing chan
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
+from rcj_challenges.scenario.tree import (
+    Entries,
+    Items,
+    Leaf,
+    Mark,
+    Node,
+    child,
+    entries_of,
+    items_of,
+    node_at,
+    value_of,
+)
 
 _ACTIONS = {"score": ("points",), "count": ("by", "to")}
 """Actions with an amount, and where it stands."""
@@ -18,13 +29,13 @@ _OF_ALL = {"counter": "sum", "flag": "highest", "timer": "highest"}
 def to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> None:
     """Bring a file of version 1, or one that names no version, to version 2; ``bases``: what it extends."""
     version = tree.entries.get("schema_version")
-    if version is not None and not (isinstance(version, Leaf) and version.value == 1 and version.value is not True):
+    if version is not None and (value_of(version) != 1 or value_of(version) is True):
         return
     if version is not None:
         tree.put("schema_version", Leaf(2, version.mark), tree.key_marks["schema_version"])
     trees = (tree, *bases)
     _make_tables(tree)
-    for rule in _entries(tree.entries.get("rules")).values():
+    for rule in entries_of(tree.entries.get("rules")).values():
         _Rule(rule, trees).convert()
     for node in _mappings(tree):
         _convert_value(node, trees)
@@ -32,8 +43,7 @@ def to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> None:
 
 def ranking_to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> list[Entries]:
     """Bring what entrants are ranked by to version 2, whatever version the file names; return what was not."""
-    rank = _entries(tree.entries.get("result")).get("rank")
-    items = rank.items if isinstance(rank, Items) else []
+    items = items_of(node_at(tree, ("result", "rank")))
     found: list[Entries] = []
     for at, one in enumerate(items):
         if isinstance(one, Entries) and "better" not in one.entries and (ranked := _ranked(one, tree, bases)):
@@ -52,8 +62,7 @@ def _ranked(one: Entries, tree: Entries, bases: Sequence[Entries]) -> Entries | 
         return None
     if key == "score":
         return _mapping(mark, score=Leaf("each", mark), better=Leaf(better, mark))
-    added = one.entries.get("plus")
-    parts = [part for part in (added.items if isinstance(added, Items) else ()) if isinstance(part, Entries)]
+    parts = [part for part in items_of(one.entries.get("plus")) if isinstance(part, Entries)]
     terms: list[Node] = [
         _mapping(part.mark, **_counter(part, trees), times=part.entries.get("weight") or Leaf(1, mark))
         for part in parts
@@ -66,7 +75,7 @@ def _ranked(one: Entries, tree: Entries, bases: Sequence[Entries]) -> Entries | 
 
 
 def _counter(node: Node, trees: Sequence[Entries]) -> dict[str, Node]:
-    counter = _entries(node)["counter"]
+    counter = entries_of(node)["counter"]
     if not _per(trees, "counters", _text(node, "counter")):
         return {"counter": counter}
     return {"sum": _mapping(node.mark, counter=counter, entity=Leaf("each", node.mark))}
@@ -74,7 +83,7 @@ def _counter(node: Node, trees: Sequence[Entries]) -> dict[str, Node]:
 
 def _time(tree: Entries, trees: Sequence[Entries], mark: Mark) -> dict[str, Node]:
     """The time of the ranking went on while the clock stood still, as a timer does."""
-    phases = [phase for one in trees for phase in _entries(one.entries.get("phases")).values()]
+    phases = [phase for one in trees for phase in entries_of(one.entries.get("phases")).values()]
     if not any(_text(phase, "clock") == "stops" for phase in phases):
         return {"word": Leaf("time_s", mark)}
     name, timers = "played", tree.entries.get("timers") or Entries({}, mark)
@@ -88,15 +97,10 @@ def _time(tree: Entries, trees: Sequence[Entries], mark: Mark) -> dict[str, Node
 
 def _make_tables(tree: Entries) -> None:
     """A rule had the rows for which it was repeated in it: a list of names, or their values by name."""
-    for name, rule in _entries(tree.entries.get("rules")).items():
-        rows = _entries(rule).get("repeat_for")
-        names = [one.value for one in rows.items if isinstance(one, Leaf)] if isinstance(rows, Items) else []
-        if (
-            isinstance(rows, Items)
-            and len(set(names)) == len(rows.items)
-            and all(isinstance(one, str) for one in names)
-        ):
-            marks = {str(one.value): one.mark for one in rows.items if isinstance(one, Leaf)}
+    for name, rule in entries_of(tree.entries.get("rules")).items():
+        rows = child(rule, "repeat_for")
+        marks = {one.value: one.mark for one in items_of(rows) if isinstance(one, Leaf) and isinstance(one.value, str)}
+        if isinstance(rows, Items) and len(marks) == len(rows.items):
             rows = Entries({one: Entries({}, mark) for one, mark in marks.items()}, rows.mark, marks)
         if isinstance(rows, Entries) and "param" not in rows.entries and isinstance(rule, Entries):
             tables, mark = tree.entries.get("tables") or Entries({}, rows.mark), rule.key_marks["repeat_for"]
@@ -120,12 +124,12 @@ def _convert_value(node: Entries, trees: Sequence[Entries]) -> None:
 
 
 def _per(trees: Sequence[Entries], section: str, name: str) -> str:
-    entries = (_entries(tree.entries.get(section)).get(name) for tree in trees)
+    entries = (entries_of(tree.entries.get(section)).get(name) for tree in trees)
     return next((_text(entry, "per") for entry in entries if entry is not None), "")
 
 
 def _defines(trees: Sequence[Entries], section: str, name: str) -> bool:
-    return any(name in _entries(tree.entries.get(section)) for tree in trees)
+    return any(name in entries_of(tree.entries.get(section)) for tree in trees)
 
 
 def _rename(node: Entries, **keys: str) -> None:
@@ -196,11 +200,11 @@ class _Rule:
         kind = next((one for one in _OF_ALL if one in part.entries), "")
         if in_list and self._group and "entity" not in part.entries and self._is_kept_per(kind, _text(part, kind)):
             part = _mapping(node.mark, **{_OF_ALL[kind]: part})
-        if (is_timer or word.endswith("_s")) and not (isinstance(fraction, Leaf) and fraction.value is True):
+        if (is_timer or word.endswith("_s")) and value_of(fraction) is not True:
             part.put("round", Leaf("down", node.mark), node.mark)
         if "distance" in part.entries or "told" in part.entries or word in ("measured", "limit"):
             part.put("otherwise", Leaf(0, node.mark), node.mark)
-        if weight is None or (isinstance(weight, Leaf) and weight.value == 1):
+        if weight is None or value_of(weight) == 1:
             return part
         if "round" in part.entries:  # before the weight
             part = _mapping(node.mark, sum=Items([part], node.mark))
@@ -213,7 +217,7 @@ class _Rule:
     def _bound(self, node: Entries, key: str) -> None:
         """``{lowest: COUNTER}`` is among all others in a rule for each that keeps the counter, else among all."""
         bound = node.entries.get(key)
-        for word in ("lowest", "highest") if isinstance(bound, Entries) else ():
+        for word in ("lowest", "highest"):
             counter = _text(bound, word)
             if not counter or not isinstance(bound, Entries):
                 continue
@@ -262,19 +266,16 @@ def _flatten(node: Entries) -> None:
         _rename(node, condition="conditions")
         node.put("conditions", Items(_all_of(waited_for) or [waited_for], waited_for.mark), waited_for.mark)
     for key in ("conditions", "any_of"):
-        listed = node.entries.get(key)
-        for at, one in reversed(list(enumerate(listed.items if isinstance(listed, Items) else ()))):
-            inner = _all_of(one)
-            if inner and isinstance(listed, Items):
-                listed.items[at : at + 1] = inner if key == "conditions" else [Items(inner, one.mark)]
+        listed = items_of(node.entries.get(key))
+        for at, one in reversed(list(enumerate(listed))):
+            if inner := _all_of(one):
+                listed[at : at + 1] = inner if key == "conditions" else [Items(inner, one.mark)]
 
 
 def _all_of(node: Node) -> list[Node]:
     """Return the conditions of which all must hold; none if it is something else."""
-    several = _entries(node).get("any_of")
-    is_one_list = set(_entries(node)) == {"any_of"} and isinstance(several, Items) and len(several.items) == 1
-    inner = several.items[0] if isinstance(several, Items) and is_one_list else None
-    return inner.items if isinstance(inner, Items) else []
+    several = items_of(child(node, "any_of"))
+    return items_of(several[0]) if len(several) == 1 and set(entries_of(node)) == {"any_of"} else []
 
 
 def _limit_amount(action: Entries, keys: tuple[str, ...]) -> None:
@@ -295,13 +296,9 @@ def _mapping(mark: Mark, **entries: Node) -> Entries:
     return Entries(dict(entries), mark, dict.fromkeys(entries, mark))
 
 
-def _entries(node: Node | None) -> Mapping[str, Node]:
-    return node.entries if isinstance(node, Entries) else {}
-
-
 def _text(node: Node | None, key: str) -> str:
-    found = _entries(node).get(key)
-    return found.value if isinstance(found, Leaf) and isinstance(found.value, str) else ""
+    found = value_of(child(node, key))
+    return found if isinstance(found, str) else ""
 
 
 def _mappings(node: Node) -> Iterator[Entries]:
