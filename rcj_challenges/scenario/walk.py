@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Annotated, Any, Literal, TypeVar, get_args, get_origin
 
+from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.effects import Effect
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.models.scenario import Rule
@@ -42,6 +43,11 @@ def effects_in(name: str, rule: Rule, kind: type[_E]) -> Iterator[tuple[_E, Path
     """Yield the effects of one kind that a rule has, each with the path of its action."""
     for index, action in enumerate(rule.actions):
         yield from ((one, ("rules", name, "actions", index)) for one in action.effects() if isinstance(one, kind))
+
+
+def triggers_in(name: str, rule: Rule) -> Iterator[tuple[Trigger, Path]]:
+    """Yield the triggers of a rule with their paths."""
+    yield from ((trigger, ("rules", name, "triggers", index)) for index, trigger in enumerate(rule.triggers))
 
 
 _HOLDS_MORE = (Strict, dict, tuple)

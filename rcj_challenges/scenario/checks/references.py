@@ -5,7 +5,7 @@ Walks the tree beside the shapes of the models, so that unknown names come in on
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from math import inf, isnan, nan
 from typing import Any, NamedTuple
@@ -25,7 +25,20 @@ from rcj_challenges.scenario.models.scenario import Expectation, Result, Rule, S
 from rcj_challenges.scenario.models.state import Sequence, Timer
 from rcj_challenges.scenario.roster import BOUND, EACH, ENTRANTS, OTHER, OTHERS, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, format_path, node_at
+from rcj_challenges.scenario.tree import (
+    Entries,
+    Items,
+    Leaf,
+    Mark,
+    Node,
+    Path,
+    child,
+    entries_of,
+    format_path,
+    items_of,
+    node_at,
+    value_of,
+)
 
 _ON_FIELD = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
 """Sections whose names stand for something on the field."""
@@ -75,17 +88,11 @@ class _Walker:
         shape = chosen(shape, node) if shape is not None else None
         if shape is None or len(self.issues) >= MAX_FOUND:
             return  # of an unknown form, which is reported as such; or enough is wrong already
-        if isinstance(node, Items):
-            for index, item in enumerate(node.items):
-                if not isinstance(item, Leaf):
-                    self.walk(item, step_into(shape, node, index), (*path, index), scope)
-        elif isinstance(node, Entries):
-            model = bare(shape).kind
-            if is_model(model):
-                scope = self._model(model, node, path, scope)
-            for key, inner in node.entries.items():
-                if not isinstance(inner, Leaf):
-                    self.walk(inner, step_into(shape, node, key), (*path, key), scope)
+        if isinstance(node, Entries) and is_model(model := bare(shape).kind):
+            scope = self._model(model, node, path, scope)
+        for step, inner in entries_of(node).items() or enumerate(items_of(node)):
+            if not isinstance(inner, Leaf):
+                self.walk(inner, step_into(shape, node, step), (*path, step), scope)
 
     def add(self, code: Code, path: Path, message: str, help_: str = "", *, at_key: bool = False) -> None:
         self.issues.setdefault((code, path), issue(code, path, message, help_, at_key))
@@ -116,8 +123,7 @@ class _Walker:
     def _scope_of(self, rule: Entries) -> Scope:
         group = rule.entries.get("for_each")
         scope = Scope() if group is None else self._scope_of_group(group)
-        triggers = rule.entries.get("triggers")
-        listed = triggers.items if isinstance(triggers, Items) else []
+        listed = items_of(rule.entries.get("triggers"))
         binding = [(word.name(),) for word in TRIGGERS.words() if issubclass(word, Trigger) and word.BINDS_OTHER]
         if any(texts(child(trigger, "trigger")) not in binding for trigger in listed):
             return scope
@@ -139,7 +145,7 @@ class _Walker:
         """Return code, message and help about a name that cannot stand here; None if it can."""
         roster = self.roster
         if name in reference.words:
-            return self._receiver(name, scope) if self._is_bound(name) else None
+            return self._receiver(name, scope.of(name)) if self._is_bound(name) else None
         if name in roster.roles and (isinstance(reference, Ref) or EACH in reference.words):
             return self._role(reference, name, path)
         if isinstance(reference, SectionRef):
@@ -168,7 +174,7 @@ class _Walker:
         if path[0] not in ("rules", "broadcast") and path[2:3] != ("while",):
             return codes.UNBOUND_NAME, f"the role '{name}' can only be used in rules and broadcasts", ""
         if isinstance(reference, SectionRef):
-            return None if set(members) <= set(self.roster.teams) else self._receiver(name, Scope(members))
+            return self._receiver(name, members)
         is_of_entrants = bool(set(members) & set(self.roster.teams)) and "entrant" not in reference.kinds
         if not reference.takes_roles or is_of_entrants:
             group = next(iter(texts(node_at(self.root, ("roles", name, "of")))), "")
@@ -248,8 +254,7 @@ class _Walker:
         if name in self.roster.roles:
             return [(("roles", name), Leaf(one, self.root.mark)) for one in self.roster.roles[name]]
         path = ("draws", name, "values")
-        values = node_at(self.root, path)
-        listed = enumerate(values.items if isinstance(values, Items) else ())
+        listed = enumerate(items_of(node_at(self.root, path)))
         return [((*path, i), one) for i, one in listed if isinstance(one, Leaf) and one.value is not None]
 
     def _drawn(self, reference: Reference, draw: str, user: Path) -> None:
@@ -281,7 +286,7 @@ class _Walker:
         role = node.entries.get("role")
         known = [one.value for _, one in self._values_of(role or node.entries.get("draw"))]
         known += ["none", "next"][: 1 + is_set] if role is not None else []
-        name = str(value.value) if isinstance(value, Leaf) else ""
+        name = str(value_of(value))
         members = tuple(self.roster.teams) if scope.group == ENTRANTS and name != OTHER else scope.of(name)
         is_opponent = name == OTHERS and scope.group == ENTRANTS and len(self.roster.teams) == 2
         what = next((f"can never have the role '{one}'" for one in texts(role)), "is never drawn")
@@ -298,13 +303,13 @@ class _Walker:
     def _decided_by_test(self, test: Entries, path: Path) -> None:
         """Check the values of draws that a test decides: one, or several in order."""
         for at, block in ((path, test), ((*path, "given"), test.entries.get("given"))):
-            for name, value in _entries(child(block, "roles")):
+            for name, value in entries_of(child(block, "roles")).items():
                 members = [*self.roster.roles[name], "none"] if name in self.roster.roles else []
                 self._among(members, value, (*at, "roles", name), f"can never have the role '{name}'")
-        for name, value in _entries(test.entries.get("draws")):
+        for name, value in entries_of(test.entries.get("draws")).items():
             known = [one.value for _, one in self._values_of(Leaf(name, value.mark))]
             at = (*path, "draws", name)
-            for index, one in enumerate(value.items if isinstance(value, Items) else ()):
+            for index, one in enumerate(items_of(value)):
                 self._among(known, one, (*at, index))
             self._among(known, value, at)
 
@@ -411,9 +416,8 @@ class _Walker:
 
     def _one_only(self, key: str, names: Node | None, path: Path, scope: Scope) -> None:
         """Check that one thing is named where a number is read of one."""
-        ends = names.items if isinstance(names, Items) else []
-        several = ends[0] if key == "distance" and ends else names
-        is_listed = isinstance(several, Items) and any(texts(one) for one in several.items)
+        several = next(iter(items_of(names)), names) if key == "distance" else names
+        is_listed = any(map(texts, items_of(several)))
         (name,) = texts(names)[:1] if key == "score" else ("",)
         others = len(self.roster.keepers(scope.group)) - 1 if scope.group and self.roster.is_others(name) else 1
         if is_listed or ((others != 1 or name == ENTRANTS) and name not in self.roster.teams):
@@ -432,31 +436,28 @@ class _Walker:
             why = "a thing never touches itself" if is_itself else "neither of them ever moves"
             self.add(codes.NEVER_TOUCHES, (*path, "other"), why, "name what it touches, such as robots or walls")
 
-    def _receiver(self, name: str, scope: Scope) -> _Wrong | None:
-        """Return the mistakes in ``each``, ``others`` or ``other`` as entrants: those of robots."""
+    def _receiver(self, name: str, members: tuple[str, ...] | None) -> _Wrong | None:
+        """Return the mistake in a role, ``each``, ``others`` or ``other`` as entrants: those of robots."""
+        kinds, driven = self.roster.kinds, self.roster.expand(ENTRANTS)
         if name in self.roster.teams:
             return None
-        members, driven = scope.of(name), self.roster.expand(ENTRANTS)
         if members is None:
             return codes.UNBOUND_NAME, _unknown_bound(name), ""
-        idle = next((one for one in members if one in self.roster.kinds and one not in driven), None)
-        if idle is None:
-            return None
-        return (
-            codes.WRONG_KIND,
-            f"'{name}' stands for '{idle}', {_with_a(self.roster.kinds[idle])} that no entrant drives",
-            "",
-        )
+        idle = next((one for one in members if one in kinds and one not in driven), "")
+        message = f"'{name}' stands for '{idle}', {_with_a(kinds[idle])} that no entrant drives" if idle else ""
+        return (codes.WRONG_KIND, message, "") if idle else None
 
     def _among_steps(self, node: Entries, path: Path, scope: Scope) -> None:
         sequence, step = texts(node.entries.get("sequence")), texts(node.entries.get("equals"))
-        steps = node_at(self.root, ("sequences", *sequence[:1], "steps"))
-        if not isinstance(steps, Items) or not step:
-            return
-        known = [text for part in steps.items for text in texts(child(part, "any_of") or part)]
-        members = (scope.each or ()) if step[0] == EACH else step
+        steps = items_of(node_at(self.root, ("sequences", *sequence[:1], "steps")))
+        known = [text for part in steps for text in texts(child(part, "any_of") or part)]
+        members = (scope.each or ()) if step[:1] == (EACH,) else step
         # Of several that `each` stands for it suffices that one is a step.
-        if members and all(self.roster.kinds.get(one) in ("zone", "gate") and one not in known for one in members):
+        if (
+            steps
+            and members
+            and all(self.roster.kinds.get(one) in ("zone", "gate") and one not in known for one in members)
+        ):
             message = f"'{members[0]}' is not a step of it"
             self.add(codes.UNKNOWN_NAME, (*path, "equals"), message, choice_of(members[0], known))
 
@@ -474,16 +475,12 @@ def _unknown_bound(name: str) -> str:
 def _names_in(node: Node, path: Path, reference: Reference) -> Iterator[tuple[str, Path]]:
     """Yield the names of a field, each with its place."""
     if reference.keys:
-        yield from ((name, (*path, name)) for name, _ in _entries(node))
+        yield from ((name, (*path, name)) for name in entries_of(node))
     elif isinstance(node, Leaf) and isinstance(node.value, str):
         yield node.value, path
-    elif isinstance(node, Items):
-        for index, item in enumerate(node.items):
+    else:
+        for index, item in enumerate(items_of(node)):
             yield from _names_in(item, (*path, index), reference)
-
-
-def _entries(node: Node | None) -> Iterable[tuple[str, Node]]:
-    return node.entries.items() if isinstance(node, Entries) else ()
 
 
 def _with_a(noun: str) -> str:

@@ -6,13 +6,12 @@ from collections.abc import Iterator
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules import effects
-from rcj_challenges.rules.base import Word
+from rcj_challenges.rules.base import Trigger, Word
 from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import ExpectedEvent, Rule
-from rcj_challenges.scenario.roster import EACH, OTHERS
-from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import effects_in, walk
+from rcj_challenges.scenario.roster import EACH, OTHERS, as_tuple
+from rcj_challenges.scenario.walk import effects_in, triggers_in, walk
 
 _KEPT = ("counter", "flag", "timer", "sequence")
 
@@ -32,10 +31,9 @@ class PhaseNeverEntered(LintRule, code="phase-never-entered"):
                 yield self.at(("phases", name), phase=name, where="")
         first = ctx.scenario.first_phase
         for name, rule in ctx.reachable_rules() if first not in ctx.entered_phases else ():
-            for index, trigger in enumerate(rule.triggers):
+            for trigger, path in triggers_in(name, rule):
                 if trigger.moment() == effects.PhaseStart(first):
-                    path: Path = ("rules", name, "triggers", index, "phase")
-                    yield self.at(path, phase=first, where=" after the start of a half (half_started)")
+                    yield self.at((*path, "phase"), phase=first, where=" after the start of a half (half_started)")
 
 
 class RuleNeverFires(LintRule, code="rule-never-fires"):
@@ -51,8 +49,7 @@ class RuleNeverFires(LintRule, code="rule-never-fires"):
                 why = f"the rule is active only in phases that are never entered: {listing(rule.phases)}"
                 yield self.at(("rules", name, "phases"), why=why, phase=first)
                 continue
-            for index, trigger in enumerate(rule.triggers):
-                path: Path = ("rules", name, "triggers", index)
+            for trigger, path in triggers_in(name, rule):
                 match trigger.moment():
                     case effects.HalfStart() if not rule.is_active_in(first):
                         why = f"a half starts in phase '{first}', in which this rule is inactive"
@@ -66,23 +63,19 @@ class EventNeverEmitted(LintRule, code="event-never-emitted"):
     """A rule or a test waits for an event that no rule emits: mostly a misspelt name."""
 
     message = "event '{event}' is never emitted"
-    help = "{hint}emit it in a rule that can fire"
+    help = "{hint} emit it in a rule that can fire"
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         emitted = {effect.event: None for effect, _, _ in ctx.reachable_effects(effects.Emits)}
-        awaited: list[tuple[Path, str]] = [
-            (("rules", name, "triggers", index, "event"), moment.event)
-            for name, rule in ctx.scenario.rules.items()
-            for index, trigger in enumerate(rule.triggers)
-            if isinstance(moment := trigger.moment(), effects.EventSeen)
-        ]
         for model, path in ctx.models:
-            if isinstance(model, ExpectedEvent) and model.event and ctx.is_own(path):
-                awaited.append(((*path, "event"), model.event))
-        for path, event in awaited:
-            if event not in emitted:
-                hint = did_you_mean(event, emitted)
-                yield self.at(path, event=event, hint=f"{hint} Otherwise, " if hint else "correct its name, or ")
+            event = None
+            if isinstance(model, Trigger) and isinstance(moment := model.moment(), effects.EventSeen):
+                event = moment.event
+            elif isinstance(model, ExpectedEvent) and ctx.is_own(path):
+                event = model.event
+            if event is not None and event not in emitted:
+                hint = did_you_mean(event, emitted, "Otherwise, ") or "correct its name, or"
+                yield self.at((*path, "event"), event=event, hint=hint)
 
 
 class MissingSays(LintRule, code="missing-says"):
@@ -108,13 +101,13 @@ class ScoresOnce(LintRule, code="scores-once"):
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         for name, rule in ctx.scenario.rules.items():
-            triggers = rule.triggers if rule.for_each is None and rule.effects(effects.Scores) else ()
-            for index, moment in enumerate(trigger.moment() for trigger in triggers):
-                if not isinstance(moment, effects.Entry | effects.Exit | effects.Crossing):
-                    continue
-                if moment.entity not in ctx.roster.roles and len(ctx.members(moment.entity, rule)) > 1:
-                    group = moment.entity if isinstance(moment.entity, str) else listing(moment.entity)
-                    yield self.at(("rules", name, "triggers", index), group=group)
+            if rule.for_each is not None or not rule.effects(effects.Scores):
+                continue
+            for trigger, path in triggers_in(name, rule):
+                match trigger.moment():
+                    case effects.Entry(who) | effects.Exit(who) | effects.Crossing(who):
+                        if who not in ctx.roster.roles and len(ctx.members(who, rule)) > 1:
+                            yield self.at(path, group=listing(as_tuple(who)))
 
 
 class EachOfNone(LintRule, code="each-of-none"):
@@ -155,12 +148,11 @@ class EachNotInTrigger(LintRule, code="each-not-in-trigger"):
             each = ctx.members(EACH, rule) if rule.for_each is not None else frozenset()
             if len(each) < 2 or _names_each(rule.conditions, rule, ctx) or not _names_each(rule, rule, ctx):
                 continue
-            for index, trigger in enumerate(rule.triggers):
+            for trigger, path in triggers_in(name, rule):
                 for key in self._KEYS:
                     names = getattr(trigger, key, None)
                     if names is not None and not _names_each(trigger, rule, ctx) and ctx.members(names, rule) == each:
-                        path: Path = ("rules", name, "triggers", index, key)
-                        yield self.at(path, group=rule.for_each, count=len(each), key=key)
+                        yield self.at((*path, key), group=rule.for_each, count=len(each), key=key)
 
 
 class EventLoop(LintRule, code="event-loop"):

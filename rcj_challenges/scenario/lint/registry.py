@@ -1,4 +1,4 @@
-"""The list of checks, and the function that runs them."""
+"""All checks, and the function that runs them."""
 
 from __future__ import annotations
 
@@ -6,38 +6,12 @@ from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.run import located
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint import flow, placing, state, values
-from rcj_challenges.scenario.lint.base import LintContext, LintRule
+from rcj_challenges.scenario.lint.base import LintContext, LintRule, checks_of
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.reading.repeating import merged
 
-LINT_RULES: tuple[LintRule, ...] = (
-    flow.PhaseNeverEntered(),
-    flow.RuleNeverFires(),
-    flow.EventNeverEmitted(),
-    flow.EventLoop(),
-    flow.MissingSays(),
-    flow.ScoresOnce(),
-    flow.EachOfNone(),
-    flow.EachNeverNamed(),
-    flow.EachNotInTrigger(),
-    flow.NoWayToScore(),
-    state.NeverRead(),
-    state.NeverWritten(),
-    state.NeverUsed(),
-    state.HeldForever(),
-    state.InheritedTestLeftOut(),
-    values.LimitTooLong(),
-    values.AngleInDegrees(),
-    values.NeverReached(),
-    values.ExactMeasurement(),
-    values.UnknownPlaceholder(),
-    values.PlaceholderOfTwo(),
-    values.PlaceholderNeverFilled(),
-    placing.OffTheField(),
-    placing.RobotWithoutProgram(),
-    placing.NeverOnTheField(),
-    placing.TwoRulesMoveOneThing(),
-    placing.NoRoom(),
+LINT_RULES: tuple[LintRule, ...] = tuple(
+    check() for module in (flow, state, values, placing) for check in checks_of(module)
 )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.effects import Holds, Releases
@@ -44,15 +43,15 @@ class NeverWritten(LintRule, code="never-written"):
     help = "add {{action: {action}, {noun}: {name}}} to a rule, or remove it"
     at_key = True
 
-    _ACTIONS: ClassVar = {
-        "counters": ("count", "counted"),
-        "flags": ("set_flag", "set"),
-        "timers": ("timer", "started"),
-        "roles": ("assign", "assigned"),
-    }
+    _ACTIONS = (
+        ("counters", "count", "counted"),
+        ("flags", "set_flag", "set"),
+        ("timers", "timer", "started"),
+        ("roles", "assign", "assigned"),
+    )
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
-        for section, (action, verb) in self._ACTIONS.items():
+        for section, action, verb in self._ACTIONS:
             for name, entry in getattr(ctx.scenario, section).items():
                 is_written = any(use.reference.is_written for use in _uses_of(name, section, ctx))
                 if _is_read(name, section, ctx) and not is_written and not _runs_by_itself(entry):
@@ -66,20 +65,12 @@ class NeverUsed(LintRule, code="never-used"):
     help = "name it in a rule, or remove it"
     at_key = True
 
-    _NOUNS: ClassVar = {
-        "params": "param",
-        "tables": "table",
-        "gates": "gate",
-        "zones": "zone",
-        "spots": "spot",
-        "groups": "group",
-        "sequences": "sequence",
-        "placements": "layout",
-    }
+    _SECTIONS = ("params", "tables", "gates", "zones", "spots", "groups", "sequences", "placements")
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         used = self._used(ctx)
-        for section, noun in self._NOUNS.items():
+        for section in self._SECTIONS:
+            noun = "layout" if section == "placements" else section[:-1]
             for name, entry in getattr(ctx.scenario, section).items():
                 is_used = name in used[section] or bool(getattr(entry, "drawn", False))
                 # The group of all copies of an entry is written nowhere.
@@ -97,9 +88,10 @@ class NeverUsed(LintRule, code="never-used"):
         used["groups"] = {use.name for use in ctx.uses if use.is_on_field}.union(*scenario.groups.values())
         used["params"] = {one.param for one in nodes_in(ctx.tree) if isinstance(one, Leaf)}
         said = {name for rule in scenario.rules.values() for name in named_in(rule)}
-        said |= {name for ranked in scenario.result.rank for name in placeholders_in(ranked.says or "")}
+        for text in (scenario.description, *(ranked.says or "" for ranked in scenario.result.rank)):
+            said |= {*placeholders_in(text)}
+        used["params"] |= said - {*PLACEHOLDERS}
         used["tables"] = {*_repeated_for(ctx.loaded.unresolved)}
-        used["params"] |= {*placeholders_in(scenario.description), *said} - {*PLACEHOLDERS}
         for section in ("sequences", "placements"):
             # To reset a sequence is no use of it if nothing depends on its steps.
             uses = (use for use in ctx.uses if not use.reference.is_written)
@@ -161,12 +153,9 @@ def _uses_of(name: str, section: str, ctx: LintContext) -> list[Use]:
 
 def _is_read(name: str, section: str, ctx: LintContext) -> bool:
     """Return whether something depends on an entry; tests are no use of it."""
-    uses = _uses_of(name, section, ctx)
-    if section in ("counters", "draws", "roles") and any(
-        name in named_in(rule) for rule in ctx.scenario.rules.values()
-    ):
-        return True
-    return any(not use.reference.is_written and use.model not in _TESTS for use in uses)
+    rules = ctx.scenario.rules.values() if section in ("counters", "draws", "roles") else ()
+    uses = (use for use in _uses_of(name, section, ctx) if not use.reference.is_written)
+    return any(name in named_in(rule) for rule in rules) or any(use.model not in _TESTS for use in uses)
 
 
 def _may_name(use: Use, section: str) -> bool:

@@ -26,7 +26,7 @@ from rcj_challenges.rules.refs import (
     ROLE,
     Ref,
     SectionRef,
-)  # fmt: skip
+)
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Lasts, Value
 from rcj_challenges.scenario.models.designs import Guideline
