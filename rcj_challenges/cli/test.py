@@ -94,7 +94,7 @@ def _played(loaded: Loaded) -> dict[str, Any]:
 
 def _inherited_from(loaded: Loaded, name: str) -> str | None:
     """The file from which a test is inherited; None for one of the scenario's own."""
-    from rcj_challenges.scenario.reading.inherited_tests import TESTS
+    from rcj_challenges.scenario.reading.merge import TESTS
     from rcj_challenges.scenario.tree import file_of
 
     written = loaded.written

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -82,7 +82,7 @@ def judge_designs(data: bytes, guideline: Guideline, robots: int, ball_m: float,
         message = f"{counted(len(file.designs), 'design')}, {guideline.designs} allowed"
         verdict.problems.append(_problem(codes.DESIGN_TOO_MANY, message, "", tree, ("designs",)))
     for name, design in file.designs.items():
-        for code, message, help_, path in _judge(verdict, design, name, guideline, ball_m, kept):
+        for code, message, help_, path in _Judge(design, name, guideline, ball_m, kept).judge(verdict):
             found = _problem(code, f"{name}: {message}", help_, tree, ("designs", name, *path))
             (verdict.problems if found.level == "error" else verdict.warnings).append(found)
     verdict.problems += _robots(file, robots, tree)
@@ -103,19 +103,8 @@ def verdict_of_kits(kits: Mapping[str, Kit], guideline: Guideline, robots: Seque
     for name, kit in kits.items():
         devices = {name: device for name, device in kit.devices.items() if name not in guideline.keeps}
         designs[name] = Design.model_construct(chassis=kit.chassis, devices=devices)
-        _judge(verdict, designs[name], name, guideline, 0.0, {})
+        _Judge(designs[name], name, guideline, 0.0, {}).judge(verdict)
     return verdict
-
-
-def _judge(
-    verdict: Verdict, design: Design, name: str, guideline: Guideline, ball_m: float, kept: Mapping[str, Device]
-) -> list[_Finding]:
-    """Return what is wrong with a design, and note its prices in a verdict."""
-    judge = _Judge(design, name, guideline, ball_m, kept)
-    found = list(judge.findings())
-    verdict.prices[name] = judge.prices
-    verdict.costs[name] = {device: judge.costs[device] for device in design.devices if device in judge.costs}
-    return found
 
 
 def _read(data: bytes) -> tuple[Entries, RobotFile]:
@@ -161,22 +150,24 @@ _Finding = tuple[Code, str, str, Path]
 
 
 class _Judge:
-    """Judges one design.
-
-    Attributes:
-        prices: its price table, once the findings have been asked for; ``costs`` by the name of each part.
-    """
+    """Judges one design."""
 
     def __init__(
         self, design: Design, name: str, guideline: Guideline, ball_m: float, kept: Mapping[str, Device]
     ) -> None:
         self._chassis, self._devices = design.chassis, design.devices
         self._name, self._guideline, self._ball_m, self._kept = name, guideline, ball_m, kept
-        self.prices: list[Priced] = []
-        self.costs: dict[str, int] = {}
+        self._prices: dict[str, Priced] = {}
+        self._costs: dict[str, int] = {}
 
-    def findings(self) -> Iterator[_Finding]:
-        """Yield all that is wrong or odd."""
+    def judge(self, verdict: Verdict) -> list[_Finding]:
+        """Return what is wrong or odd, and note the prices in a verdict."""
+        found = list(self._findings())
+        verdict.prices[self._name] = list(self._prices.values())
+        verdict.costs[self._name] = {name: cost for name, cost in self._costs.items() if name in self._devices}
+        return found
+
+    def _findings(self) -> Iterator[_Finding]:
         yield from self._drive()
         yield from self._size()
         counts = Counter(device.name() for device in self._devices.values())
@@ -240,11 +231,9 @@ class _Judge:
                 message = f"'{name}': {key} may not be chosen"
                 yield codes.DESIGN_OUT_OF_RANGE, message, "leave it out", (*path, key)
         kind = word.name()
-        self.costs[name] = points
-        others = [one for one in self.prices if one.what == kind]
-        count, all_points = (others[0].count, others[0].points) if others else (0, 0)
-        self.prices = [one for one in self.prices if one.what != kind]
-        self.prices.append(Priced(kind, count + 1, all_points + points))
+        self._costs[name] = points
+        others = self._prices.pop(kind, Priced(kind, 0, 0))
+        self._prices[kind] = Priced(kind, others.count + 1, others.points + points)
 
     def _size(self) -> Iterator[_Finding]:
         chassis, limits = self._chassis, self._guideline
@@ -270,15 +259,15 @@ class _Judge:
             yield codes.DESIGN_MOUTH, message, "", ("chassis", "jaws_m")
 
     def _budget(self) -> Iterator[_Finding]:
-        budget, cost = self._guideline.budget, sum(one.points for one in self.prices)  # integers
+        budget, cost = self._guideline.budget, sum(self._costs.values())  # integers
         if cost > budget:
-            saving = [name for name, points in self.costs.items() if name in self._devices and points >= cost - budget]
-            help_ = f"leaving out '{min(saving, key=self.costs.__getitem__)}' is enough" if saving else ""
-            message = f"it costs {cost}, {budget} are allowed: {price_words(self.prices)}"
+            saving = [name for name, points in self._costs.items() if name in self._devices and points >= cost - budget]
+            help_ = f"leaving out '{min(saving, key=self._costs.__getitem__)}' is enough" if saving else ""
+            message = f"it costs {cost}, {budget} are allowed: {price_words(self._prices.values())}"
             yield codes.DESIGN_OVER_BUDGET, message, help_, ()
 
 
-def price_words(prices: list[Priced]) -> str:
+def price_words(prices: Iterable[Priced]) -> str:
     """Return a price table in words, the dearest first: ``4 sonar 200, 1 compass 150``."""
     ranked = sorted((one for one in prices if one.points), key=lambda one: -one.points)
     return listed([f"{one.count} {one.what} {one.points}" for one in ranked], "and")

@@ -22,13 +22,12 @@ from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.kits import fill_in_devices
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.extend import Source, find_scenario, read_chain
-from rcj_challenges.scenario.reading.inherited_tests import TESTS, unfit_tests
-from rcj_challenges.scenario.reading.merge import Merger, Repeated
-from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params
-from rcj_challenges.scenario.reading.repeating import merged, repeat_entries
+from rcj_challenges.scenario.reading.merge import TESTS, Merger, Repeated
+from rcj_challenges.scenario.reading.params import apply_overrides, params_of, resolve_params
+from rcj_challenges.scenario.reading.repeating import entry_of, merged, repeat_entries
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, check_size, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, check_size, nodes_in, plain
 
 
 @dataclass(frozen=True)
@@ -126,12 +125,10 @@ def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], ov
 
 def _param_of(tree: Entries, override: str) -> str | None:
     """Return the param that an override sets, ``params`` for all of them; None: it sets something else."""
-    params = tree.entries.get("params")
-    names = params.entries if isinstance(params, Entries) else {}
     first, _, rest = override.partition("=")[0].strip().partition(".")
     if first == "params":
         return rest or first
-    return first if first in names and not rest else None  # one may be called like a section
+    return first if first in params_of(tree) and not rest else None  # one may be called like a section
 
 
 def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
@@ -179,6 +176,9 @@ def _checked_but_inherited_tests(
 ) -> tuple[Scenario, dict[str, Diagnostic]]:
     """Return the scenario of a finished tree without the inherited tests that do not fit it, and those.
 
+    A scenario that plays the match with two robots a side, or for three minutes, changes a line or two. The tests of
+    its bases (files, as marks name them) about what it removed are no mistakes of its author: lint says which.
+
     Raises:
         ScenarioError: all else that is wrong.
     """
@@ -187,14 +187,16 @@ def _checked_but_inherited_tests(
         try:
             return _checked(tree, merger), left_out
         except ScenarioError as error:
-            unfit = unfit_tests(error, tree, bases)
-            if not unfit:
+            tests, before = tree.entries.get(TESTS), len(left_out)
+            for problem in error.diagnostics:
+                section, name = entry_of(problem)
+                if section == TESTS and isinstance(tests, Entries) and name in tests.entries:
+                    marks = [tests.key_marks[name], *(node.mark for node in nodes_in(tests.entries[name]))]
+                    if all(mark.file in bases for mark in marks):
+                        left_out[name] = problem
+                        tests.drop(name)
+            if len(left_out) == before:
                 raise
-            tests = tree.entries[TESTS]
-            if isinstance(tests, Entries):
-                for name in unfit:
-                    tests.drop(name)
-            left_out |= unfit
 
 
 def _checked(tree: Entries, merger: Merger) -> Scenario:

@@ -71,9 +71,7 @@ def start_pose(scenario: Scenario, name: str) -> Pose2:
     if name in scenario.balls:
         return (*scenario.balls[name].start_m, 0.0)
     obstacle = scenario.obstacles[name]
-    if isinstance(obstacle, Wall):
-        return 0.0, 0.0, 0.0
-    return (*obstacle.centre_m, obstacle.yaw_rad if isinstance(obstacle, Box) else 0.0)
+    return (0.0, 0.0, 0.0) if isinstance(obstacle, Wall) else middle_of(obstacle)
 
 
 def start_noise_m(scenario: Scenario, name: str) -> tuple[float, float]:

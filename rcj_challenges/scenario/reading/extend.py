@@ -16,7 +16,6 @@ from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.files import open_regular
 from rcj_challenges.scenario import codes
-from rcj_challenges.scenario.codes import AMBIGUOUS_NAME, NO_SUCH_FILE, UNREADABLE_FILE
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, did_you_mean, listing, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.version_1 import ranking_to_version_2, to_version_2
@@ -234,15 +233,15 @@ def find_scenario(source: str | Path) -> Path:
             return shipped[str(source)]
         message = f"a shipped scenario has this name, and {own} lies here"
         help_ = f"write {own} for that, or go to another folder"
-        raise ScenarioError([mark.error(AMBIGUOUS_NAME, message, help_)])
+        raise ScenarioError([mark.error(codes.AMBIGUOUS_NAME, message, help_)])
     if problem:
-        raise ScenarioError([mark.error(UNREADABLE_FILE, problem, "give a scenario in YAML")])
+        raise ScenarioError([mark.error(codes.UNREADABLE_FILE, problem, "give a scenario in YAML")])
     hint = _nearest_file(path, shipped)
     folders = {kind: listing(names_in(scenarios_folder() / kind)) for kind in ("", "examples", "variants")}
     known = "; ".join(f"{kind} {names}".strip() for kind, names in folders.items())
     message = "no such file, and no shipped scenario of that name"
     help_ = f"did you mean '{hint}'? " if hint else ""
-    raise ScenarioError([mark.error(NO_SUCH_FILE, message, f"{help_}shipped are {known}")])
+    raise ScenarioError([mark.error(codes.NO_SUCH_FILE, message, f"{help_}shipped are {known}")])
 
 
 def _nearest_file(path: Path, shipped: dict[str, Path]) -> str | None:

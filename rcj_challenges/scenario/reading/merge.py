@@ -17,7 +17,6 @@ from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.codes import MISSING_VALUE, WRONG_NULL
 from rcj_challenges.scenario.errors import choice_of
-from rcj_challenges.scenario.reading.inherited_tests import ALL_INHERITED, TESTS
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -45,6 +44,9 @@ from rcj_challenges.scenario.tree import (
 )
 
 REPEAT_FOR = "repeat_for"
+TESTS = "expect"
+ALL_INHERITED = "inherited"
+"""With ``null``, in place of a test's name: all tests of the base."""
 
 
 class Repeated(NamedTuple):

@@ -341,18 +341,18 @@ def merged(problems: Iterable[Diagnostic], repeated: Mapping[tuple[str, str], Re
     pairs = [(problem, _of_written(problem, repeated)) for problem in problems]
     about: dict[Diagnostic, set[str]] = {}
     for problem, written in pairs:
-        about.setdefault(written, set()).add(_entry_of(problem)[1])
+        about.setdefault(written, set()).add(entry_of(problem)[1])
     found: dict[Diagnostic, None] = {}
     for problem, written in pairs:
         names = sorted(about[written])
-        section, entry = _entry_of(written)
+        section, entry = entry_of(written)
         of_all = {name for (place, name), one in repeated.items() if (place, one.entry) == (section, entry)}
         which = "" if of_all <= about[written] else f" ({listing(names)})"
         found[problem if len(names) == 1 else replace(written, message=written.message + which)] = None
     return list(found)
 
 
-def _entry_of(problem: Diagnostic) -> tuple[str, str]:
+def entry_of(problem: Diagnostic) -> tuple[str, str]:
     """Return the section and the name of the entry that a problem is about."""
     section, _, rest = place_of(problem).path.partition(".")
     return section, re.split(r"[.\[]", rest, maxsplit=1)[0]
@@ -360,7 +360,7 @@ def _entry_of(problem: Diagnostic) -> tuple[str, str]:
 
 def _of_written(problem: Diagnostic, repeated: Mapping[tuple[str, str], Repeated]) -> Diagnostic:
     """Return a problem as if the entry that the author wrote had it."""
-    place, (section, name) = place_of(problem), _entry_of(problem)
+    place, (section, name) = place_of(problem), entry_of(problem)
     if (section, name) not in repeated:
         return problem
     entry = repeated[section, name].entry
