@@ -95,10 +95,10 @@ def _played(loaded: Loaded) -> dict[str, Any]:
 def _inherited_from(loaded: Loaded, name: str) -> str | None:
     """The file from which a test is inherited; None for one of the scenario's own."""
     from rcj_challenges.scenario.reading.merge import TESTS
-    from rcj_challenges.scenario.tree import file_of
+    from rcj_challenges.scenario.tree import mark_of
 
     written = loaded.written
-    file = "" if written is None else file_of(written, TESTS, name)
+    file = "" if written is None else mark_of(written, (TESTS, name), at_key=True).file
     return None if written is None or file == written.mark.file else file
 
 

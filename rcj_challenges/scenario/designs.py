@@ -259,7 +259,7 @@ class _Judge:
             yield codes.DESIGN_MOUTH, message, "", ("chassis", "jaws_m")
 
     def _budget(self) -> Iterator[_Finding]:
-        budget, cost = self._guideline.budget, sum(self._costs.values())  # integers
+        budget, cost = self._guideline.budget, sum(one.points for one in self._prices.values())  # integers
         if cost > budget:
             saving = [name for name, points in self._costs.items() if name in self._devices and points >= cost - budget]
             help_ = f"leaving out '{min(saving, key=self._costs.__getitem__)}' is enough" if saving else ""

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from rcj_challenges.core.amounts import number_words, round_score
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Scalar
-from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.scenario import Rule
 
 PLACEHOLDERS = ("entity", "each", "other", "others", "team", "measured", "limit", "points")
 """Placeholders that are filled in when a rule fires; they take precedence over params of the same name."""
@@ -41,17 +41,11 @@ def named_in(rule: Rule) -> dict[str, str]:
 
 def fill_params(rule: Rule, params: Mapping[str, Scalar], text: str) -> str:
     """Return a sentence of a rule with its params filled in, and its points if it gives one plain number."""
-    known = {name: _as_text(value) for name, value in params.items() if name not in PLACEHOLDERS}
+    known = {name: value for name, value in params.items() if name not in PLACEHOLDERS}
     points = {one.points for one in rule.effects(Scores)}
     if len(points) == 1 and (number := points.pop()) is not None:
-        known["points"] = _as_text(number)
-    return _filled(text, known)
-
-
-def description_of(scenario: Scenario) -> str:
-    """Return the description with the values of params: it is true for every ``--set``."""
-    known = {name: _as_text(value) for name, value in scenario.params.items()}
-    return _filled(scenario.description, known)
+        known["points"] = number
+    return filled(text, known)
 
 
 def counted(number: str) -> str:
@@ -60,8 +54,20 @@ def counted(number: str) -> str:
 
 
 def filled(text: str, values: Mapping[str, Scalar | list[Scalar]]) -> str:
-    """Return a text with values filled in by their names; what is not known stays as it is."""
-    return _filled(text, {name: _enumerated(value) for name, value in values.items()})
+    """Return a text with values filled in by their names; what is not known stays as it is.
+
+    ``{points} points`` is one point if it is one.
+    """
+
+    def fill(placeholder: re.Match[str]) -> str:
+        if placeholder[1] not in values:
+            return placeholder[0]
+        value = values[placeholder[1]]
+        words = [_as_text(one) for one in value] if isinstance(value, list) else [_as_text(value)]
+        text = " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+        return counted(text) if placeholder[2] else text
+
+    return _OF_POINTS.sub(fill, text)
 
 
 def fill_generally(text: str, words: Mapping[str, tuple[str, str]]) -> str:
@@ -80,25 +86,6 @@ def fill_generally(text: str, words: Mapping[str, tuple[str, str]]) -> str:
         return f"{shown[:1].upper()}{shown[1:]}" if begins else shown
 
     return _BESIDE_A_NAME.sub(fill, text)
-
-
-def _enumerated(value: Scalar | list[Scalar]) -> str:
-    if not isinstance(value, list):
-        return _as_text(value)
-    words = [_as_text(one) for one in value]
-    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
-
-
-def _filled(text: str, known: Mapping[str, str]) -> str:
-    """Fill in what is known; ``{points} points`` is one point if it is one."""
-
-    def fill(placeholder: re.Match[str]) -> str:
-        value = known.get(placeholder[1])
-        if value is None:
-            return placeholder[0]
-        return counted(value) if placeholder[2] else value
-
-    return _OF_POINTS.sub(fill, text)
 
 
 def _as_text(value: Scalar) -> str:

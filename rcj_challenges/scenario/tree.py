@@ -218,12 +218,6 @@ def note_at(root: Node, path: Sequence[Step]) -> str:
     return f" ({node.note})" if isinstance(node, Leaf) and node.note else ""
 
 
-def file_of(root: Entries, section: str, name: str) -> str:
-    """Return the file that wrote an entry of a section last, empty if there is none."""
-    entries = root.entries.get(section)
-    return entries.key_marks[name].file if isinstance(entries, Entries) and name in entries.key_marks else ""
-
-
 _KINDS = {"triggers": "trigger", "actions": "action"}
 _LISTS = (*_KINDS, "conditions", "any_of")
 

@@ -16,7 +16,7 @@ from rcj_challenges.rules.refs import Ref, Reference, ref_of
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.rule_effects import alternatives
-from rcj_challenges.scenario.tree import Entries, Path, node_at
+from rcj_challenges.scenario.tree import Entries, Path, mark_of
 from rcj_challenges.scenario.walk import effects_in, walk
 
 _E = TypeVar("_E", bound=Effect)
@@ -107,9 +107,7 @@ class LintContext:
 
     def is_own(self, path: Path) -> bool:
         """Return whether a value or an entry stands in the author's own file, not in a base."""
-        above, node = node_at(self.tree, path[:-1]), node_at(self.tree, path)
-        mark = above.key_marks.get(str(path[-1])) if isinstance(above, Entries) else node.mark if node else None
-        return mark is not None and mark.file == self.tree.mark.file
+        return mark_of(self.tree, path, at_key=True).file == self.tree.mark.file
 
 
 def _names(value: Any, reference: Reference) -> Iterator[str]:

@@ -44,11 +44,13 @@ from rcj_challenges.scenario.tree import (
     Node,
     Path,
     child,
+    entries_of,
     in_names,
     mark_of,
     node_at,
     note_at,
     plain,
+    value_of,
 )
 
 _KEY = "[key]"
@@ -162,7 +164,7 @@ class _Explainer:
     def _fits_nothing(self, path: Path, unknown: set[Path]) -> bool:
         """Return whether no member of the union at a path knows a key of the mapping that stands there."""
         node = node_at(self.root, path)
-        keys = node.entries.items() if isinstance(node, Entries) else ()
+        keys = entries_of(node).items()
         are_unknown = all((*path, key) in unknown or _is_null(entry) for key, entry in keys)
         return bool(keys) and are_unknown and len(members(shape_at(self.shape, self.root, path))) > 1
 
@@ -210,8 +212,8 @@ class _Explainer:
         help_ = f"did you mean '{near}'? " if near else ""
         mark = mark_of(self.root, (*above, key), at_key=True)
         names = in_names(self.root, above)
-        if key == "condition" and isinstance(node, Entries) and isinstance(word := node.entries[key], Leaf):
-            written = str(word.value)
+        if key == "condition" and isinstance(child(node, key), Leaf):
+            written = str(value_of(child(node, key)))
             foreign = OTHER_WORDS.get((key, written.casefold())) or _of_another_list(written, key)
             help_ = f"{foreign or 'a condition has no such key'}; "
         return mark.error(UNKNOWN_KEY, f"unknown key '{key[:64]}'", help_ + choice_of("", allowed), names)
@@ -230,33 +232,28 @@ class _Explainer:
     def _wrong_word(self, mistake: _Mistake, node: Node | None, own_help: str) -> Diagnostic:
         discriminator = bare(mistake.shape).discriminator
         words = list(tags(mistake.shape))
+        kind = next((kind for kind, shape in _KEYED.items() if words == list(tags(shape))), "")
+        keys = [key.casefold() for key in entries_of(node)]
+        if kind and isinstance(node, Entries) and not isinstance(discriminator, str):
+            foreign = (OTHER_WORDS.get((kind, key), "") for key in keys)
+            near = (did_you_mean(key, words) for key in keys)
+            help_ = next(filter(None, (*foreign, *near)), choice_of("", words))
+            return self._at(mistake.path, UNKNOWN_WORD, f"no {kind} has {format_node(node)}", help_)
+        its_key = _with_its_key(mistake.shape, node)
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
-            help_ = own_help or _with_its_key(mistake.shape, node)
-            kind = next((kind for kind, shape in _KEYED.items() if words == list(tags(shape))), "")
-            if kind and isinstance(node, Entries):
-                keys = [key.casefold() for key in node.entries]
-                foreign = next((OTHER_WORDS[kind, key] for key in keys if (kind, key) in OTHER_WORDS), "")
-                near = next((did_you_mean(key, words) for key in keys if did_you_mean(key, words)), "")
-                message = f"no {kind} has {format_node(node)}"
-                return self._at(mistake.path, UNKNOWN_WORD, message, foreign or near or choice_of("", words))
-            return self._at(mistake.path, WRONG_VALUE, expected(mistake.shape, node), help_)
+            return self._at(mistake.path, WRONG_VALUE, expected(mistake.shape, node), own_help or its_key)
         tag = child(node, discriminator)
         if tag is None:
-            help_ = _with_its_key(mistake.shape, node) or choice_of("", words)
-            return self._at(mistake.path, MISSING_KEY, f"'{discriminator}' is missing", help_)
+            return self._at(mistake.path, MISSING_KEY, f"'{discriminator}' is missing", its_key or choice_of("", words))
         written = str(tag.value) if isinstance(tag, Leaf) else format_node(tag)
-        help_ = (
-            OTHER_WORDS.get((discriminator, written.casefold()))
-            or _of_another_list(written, discriminator)
-            or choice_of(written, words)
-        )
+        help_ = OTHER_WORDS.get((discriminator, written.casefold())) or _of_another_list(written, discriminator)
         mark = mark_of(self.root, (*mistake.path, discriminator))
         message = f"unknown {discriminator} '{written[:64]}'"
-        return mark.error(UNKNOWN_WORD, message, help_, in_names(self.root, mistake.path))
+        return mark.error(UNKNOWN_WORD, message, help_ or choice_of(written, words), in_names(self.root, mistake.path))
 
     def _of_param(self, node: Node | None) -> str:
         """The form of a param whose name stands alone; empty: it is not the name of one."""
-        name = str(node.value).strip("${} ") if isinstance(node, Leaf) else ""
+        name = str(value_of(node)).strip("${} ")
         is_param = node_at(self.root, ("params", name)) is not None
         return f"the value of that param is {{param: {name}}}" if is_param else ""
 
@@ -267,17 +264,15 @@ class _Explainer:
         if isinstance(node, Items):
             return "a point is written {point: [x, y]}"
         key, value = next(iter(node.entries.items()), ("", node)) if isinstance(node, Entries) else ("", node)
-        name = str(value.value) if isinstance(value, Leaf) else ""
+        name = str(value_of(value))
         known = next((key for section, key in _PLACES.items() if node_at(self.root, (section, name)) is not None), None)
         return f"write {{{known}: {name}}}" if known is not None else did_you_mean(key or name, tags(shape))
 
 
 def _with_its_key(shape: Shape, node: Node | None) -> str:
     """The form of a word that stands alone, or behind another key: `enters`, `enters: …`, `type: enters`."""
-    listed = node.entries if isinstance(node, Entries) else {}
-    leaves = (one for one in (*listed.values(), node) if isinstance(one, Leaf))
-    written = [*listed, *(str(one.value) for one in leaves)]
-    word = next((one for one in written if one in tags(shape)), None)
+    listed = entries_of(node)
+    word = next((one for one in (*listed, *map(value_of, (*listed.values(), node))) if one in tags(shape)), None)
     return f"write {{{bare(shape).discriminator}: {word}, …}}" if word is not None else ""
 
 

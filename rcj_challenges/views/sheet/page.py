@@ -15,7 +15,7 @@ from rcj_challenges.rules.values import value_words
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import Result, Rule, Scenario
-from rcj_challenges.scenario.placeholders import description_of, filled
+from rcj_challenges.scenario.placeholders import filled
 from rcj_challenges.scenario.resources import names_in, presets_folder
 from rcj_challenges.scenario.roster import ENTRANTS, Roster
 from rcj_challenges.scenario.rule_effects import layouts_of
@@ -34,7 +34,7 @@ from rcj_challenges.views.sheet.says import as_sentence, says_sentence
 def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
     """Return the rule sheet of a scenario; of one without rules, such as a preset, all of it is the lead."""
     phrases, rules = Phrasebook(scenario, roster), rules_on_sheet(scenario)
-    title, description, full = scenario.title, description_of(scenario), _full(scenario, roster)
+    title, description, full = scenario.title, filled(scenario.description, scenario.params), _full(scenario, roster)
     setting = [
         Section("Field", (picture_of(scenario, roster),)),
         Section("Programs", tuple(_submission(scenario))),
