@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from rcj_challenges.core.amounts import number_words, round_score
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.scenario.models.scenario import Rule
 
 PLACEHOLDERS = ("entity", "each", "other", "others", "team", "measured", "limit", "points")
@@ -64,7 +65,7 @@ def filled(text: str, values: Mapping[str, Scalar | list[Scalar]]) -> str:
             return placeholder[0]
         value = values[placeholder[1]]
         words = [_as_text(one) for one in value] if isinstance(value, list) else [_as_text(value)]
-        text = " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+        text = listed(words, "and")
         return counted(text) if placeholder[2] else text
 
     return _OF_POINTS.sub(fill, text)

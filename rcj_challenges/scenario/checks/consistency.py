@@ -56,12 +56,9 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
         if isinstance(model, Match) and (is_length_set or not is_half_set):
             yield from _lengths(model, path, is_of_file=not is_length_set)
         if isinstance(model, Expectation):
-            yield from _of_a_half(model, path)
+            yield from _of_a_half(model, path, scenario if not is_half_set else None)
             yield from _script(model, path)
-            yield from _series(model, path, scenario)
-            yield from _decided_spots(model, path, scenario)
-            if not is_half_set:
-                yield from _length(model, path, scenario)
+            yield from _decided(model, path, scenario)
         if isinstance(model, Expectation | MatchExpectation | Given):
             yield from _owners(model, path, scenario, roster)
     for name, rule in scenario.rules.items():
@@ -167,23 +164,20 @@ def _lengths(match: Match, path: Path, *, is_of_file: bool) -> Iterator[Diagnost
         yield issue(codes.WRONG_VALUE, (*path, "half_s"), f"{given} in half_s for {played}", help_, other=other)
 
 
-def _length(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
-    half = int(path[-1]) + 1 if path[-2] == "halves" else test.half
+def _of_a_half(test: Expectation, path: Path, scenario: Scenario | None) -> Iterator[Diagnostic]:
+    """Yield what stands in a half of a test, and is of the whole; of a scenario also what comes after its halves."""
+    half, at = (int(path[-1]) + 1, path) if path[-2] == "halves" else (test.half, (*path, "half"))
+    for key in ("seed", "half", "ranking") if at is path else ():
+        if getattr(test, key) != Expectation.model_fields[key].default:
+            message = f"'{key}' is not of one half"
+            yield issue(codes.CONFLICTING_KEYS, (*path, key), message, "leave it out", at_key=True)
+    if scenario is None:
+        return
     half_s = half_length_s(scenario.match, half)
     if test.lasts_s > half_s and not clock_may_stop(scenario):
         yield issue(codes.TOO_LATE, (*path, "lasts_s"), f"{test.lasts_s:g} s is longer than a half, {half_s:g} s")
     if half > scenario.match.halves:
-        at = path if path[-2] == "halves" else (*path, "half")
         yield issue(codes.TOO_LATE, at, f"there is no half {half}; {scenario.match.halves} are played")
-
-
-def _of_a_half(test: Expectation, path: Path) -> Iterator[Diagnostic]:
-    """Yield what stands in a half of a test, and is of the whole."""
-    for key in ("seed", "half", "ranking") if path[-2] == "halves" else ():
-        if getattr(test, key) != Expectation.model_fields[key].default:
-            yield issue(
-                codes.CONFLICTING_KEYS, (*path, key), f"'{key}' is not of one half", "leave it out", at_key=True
-            )
 
 
 # --- tests ------------------------------------------------------------------------------------------------------------
@@ -192,10 +186,12 @@ def _of_a_half(test: Expectation, path: Path) -> Iterator[Diagnostic]:
 def _script(test: Expectation, path: Path) -> Iterator[Diagnostic]:
     before = -1.0
     for index, frame in enumerate(test.keyframes):
-        at = (*path, "keyframes", index, "at_s")
         if frame.at_s <= before:
-            message = f"{frame.at_s:g} s does not come after {before:g} s"
-            yield issue(codes.TOO_EARLY, at, message, "keyframes stand in the order of time")
+            message, help_ = (
+                f"{frame.at_s:g} s does not come after {before:g} s",
+                "keyframes stand in the order of time",
+            )
+            yield issue(codes.TOO_EARLY, (*path, "keyframes", index, "at_s"), message, help_)
         before = max(before, frame.at_s)
     moments = [(("keyframes", index), frame.at_s) for index, frame in enumerate(test.keyframes)]
     moments += [(("events", i), event.at_s) for i, event in enumerate(test.events or ()) if event.at_s is not None]
@@ -204,8 +200,8 @@ def _script(test: Expectation, path: Path) -> Iterator[Diagnostic]:
             yield issue(codes.TOO_LATE, (*path, *where, "at_s"), f"{at_s:g} s comes after the end, {test.lasts_s:g} s")
 
 
-def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
-    """Yield values that a test decides for a draw and that cannot be drawn in this order."""
+def _decided(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
+    """Yield values of draws that cannot be drawn in the order of a test, and spots that no rule sets at random."""
     set_by_rules = {one.draw for one in scenario.effects(Draws) if one.value is not None}
     for name, decided in test.draws.items():
         draw = scenario.draws.get(name)
@@ -216,10 +212,6 @@ def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagn
             why = "not_last" if draw.not_last and decided[index] == decided[index - 1] else "not_again"
             message = f"{spelled(decided[index])} is not drawn again here ({why})"
             yield issue(codes.NEVER_DRAWN, (*path, "draws", name, index), message)
-
-
-def _decided_spots(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Diagnostic]:
-    """Yield spots that a test decides and that no rule sets at random."""
     random = {one.spot for one in scenario.effects(SetsSpot) if isinstance(one.at, PlaceWord) and one.at.IS_SPREAD}
     for name in (one for one in test.spots or {} if one in scenario.spots and one not in random):
         help_ = "where it is at the end is compared under poses"
@@ -237,13 +229,11 @@ def _owners(
             if kept is None or not isinstance(values, dict):
                 continue
             if kept.per is None:
-                yield issue(
-                    codes.NOT_PER_ENTITY, at, f"{noun} '{name}' is not kept per entity", "write its value alone"
-                )
-                continue
-            if not values:
+                message = f"{noun} '{name}' is not kept per entity"
+                yield issue(codes.NOT_PER_ENTITY, at, message, "write its value alone")
+            elif not values:
                 yield issue(codes.WRONG_VALUE, at, "names nothing", "write {entity: value, …}, or leave it out")
-            owners = roster.keepers(kept.per)
+            owners = roster.keepers(kept.per) if kept.per is not None else values
             for owner in (one for one in values if one not in owners):
                 message = f"there is no {noun} '{name}' of '{owner}'"
                 yield issue(codes.UNKNOWN_NAME, (*at, owner), message, choice_of(owner, owners), at_key=True)
@@ -254,21 +244,17 @@ def _owners(
 
 def _robots(scenario: Scenario, roster: Roster) -> Iterator[Diagnostic]:
     if not roster.entities:
-        yield issue(
-            codes.NOTHING_MOVES, ("robots",), "nothing on the field can move", "give at least one robot or one ball"
-        )
+        help_ = "give at least one robot or one ball"
+        yield issue(codes.NOTHING_MOVES, ("robots",), "nothing on the field can move", help_)
     for name, kit in scenario.kits.items():
         at: Path = ("kits", name)
         yield from (issue(codes.WRONG_VALUE, (*at, "chassis", key), text) for key, text in kit.chassis.contradictions())
         yield from _devices(kit.devices, kit.chassis, at)
     for name, robot in scenario.robots.items():
-        kit_of_robot = scenario.kits.get(robot.kit)
-        if kit_of_robot is None:
-            continue
+        devices = scenario.kits[robot.kit].devices if robot.kit in scenario.kits else robot.without
         for index, device in enumerate(robot.without):
-            if device not in kit_of_robot.devices:
-                message = f"kit '{robot.kit}' has no device '{device}'"
-                help_ = choice_of(device, kit_of_robot.devices)
+            if device not in devices:
+                message, help_ = f"kit '{robot.kit}' has no device '{device}'", choice_of(device, devices)
                 yield issue(codes.UNKNOWN_NAME, ("robots", name, "without", index), message, help_)
 
 
@@ -297,7 +283,7 @@ def _entrants(scenario: Scenario) -> Iterator[Diagnostic]:
         path: Path = ("entrants", name)
         if not entrant.robots:
             yield issue(codes.ENTRANT_WITHOUT_ROBOTS, (*path, "robots"), "an entrant drives at least one robot")
-        for robot, entry_points in entrant.robots.items():
+        for robot in entrant.robots:
             at = (*path, "robots", robot)
             first = driver.setdefault(robot, name)
             if first != name:
@@ -306,11 +292,6 @@ def _entrants(scenario: Scenario) -> Iterator[Diagnostic]:
             if robot in scenario.robots and scenario.robots[robot].idle:
                 other = "robots", robot, "idle"
                 yield issue(codes.DRIVEN_TWICE, at, f"'{robot}' is idle, so no program drives it", "", True, other)
-            for index, entry_point in enumerate((entry_points,) if isinstance(entry_points, str) else entry_points):
-                if any(part in {"", ".", ".."} for part in entry_point.split("/")):
-                    where = at if isinstance(entry_points, str) else (*at, index)
-                    message = f"'{entry_point}' is not a plain path inside a submission"
-                    yield issue(codes.WRONG_VALUE, where, message, "leave '.', '..' and '//' out")
         first = channels.setdefault(entrant.radio_channel, name)
         if first != name:
             message = f"'{first}' and '{name}' have the same radio channel, {entrant.radio_channel}"

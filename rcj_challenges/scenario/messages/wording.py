@@ -11,6 +11,7 @@ from rcj_challenges.core.colours import CSS_COLOURS
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.fields import NAME_RULE, Colour, EventName, Name, Names, Point
 from rcj_challenges.rules.message import SaidText
+from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.scenario.errors import cut, did_you_mean, listing
 from rcj_challenges.scenario.models.robots import EntryPoint
 from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_named, is_union, members, without_none
@@ -37,14 +38,9 @@ def format_node(node: Node | None) -> str:
         return f"a mapping with {listing(map(cut, node.entries), 6)}" if node.entries else "an empty mapping"
     if isinstance(node, Items):
         return f"a list of {len(node.items)}" if node.items else "an empty list"
-    value = node.value if node is not None else None
-    if isinstance(value, str):
-        return quoted(value)
-    return "nothing" if value is None else _written(node, value)
-
-
-def _written(node: Node | None, value: object) -> str:
-    return (node.written if isinstance(node, Leaf) else "") or spelled(value)
+    if node is None or node.value is None:
+        return "nothing"
+    return quoted(node.value) if isinstance(node.value, str) else node.written or spelled(node.value)
 
 
 def spelled(value: object) -> str:
@@ -73,20 +69,16 @@ def expectation(shape: Shape) -> str:
         parts = list(dict.fromkeys(expectation(member) for member in members(shape)))
         if "a number" in parts and "a whole number" in parts:
             parts.remove("a whole number")
-        return f"a mapping with '{discriminator}'" if isinstance(discriminator, str) else _any_of(parts)
+        return f"a mapping with '{discriminator}'" if isinstance(discriminator, str) else listed(parts, "or")
     if is_model(kind):
         required = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
         return f"{{{required[0]}: …}}" if len(required) == 1 else "a mapping"
     if get_origin(kind) is Literal:
-        return _any_of([spelled(word) for word in get_args(kind)])
+        return listed([spelled(word) for word in get_args(kind)], "or")
     if get_origin(kind) is tuple:
         inner = get_args(kind)
         return f"a list of {len(inner)}" if is_fixed(shape) else "a list of names" if inner[0] == Name else "a list"
     return "a mapping by name" if is_named(kind) else _TYPES.get(kind, "a value")
-
-
-def _any_of(parts: list[str]) -> str:
-    return " or ".join([", ".join(parts[:-1]), parts[-1]] if len(parts) > 1 else parts)
 
 
 # --- what pydantic refuses --------------------------------------------------------------------------------------------
@@ -140,8 +132,8 @@ def as_it_is_written(shape: Shape, node: Node | None) -> str:
     lists = [kind for kind in kinds if is_list(kind)]
     literals = [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
     if not isinstance(node, Leaf):
-        listed = [bare(one).kind for kind in lists for one in members(get_args(kind)[0])]
-        is_one = isinstance(node, Entries) and any(is_model(kind) or is_named(kind) for kind in listed)
+        inner = [bare(one).kind for kind in lists for one in members(get_args(kind)[0])]
+        is_one = isinstance(node, Entries) and any(is_model(kind) or is_named(kind) for kind in inner)
         return "a list stands in brackets, also of one: [{…}]" if is_one else ""
     text, help_ = str(node.value), ""
     if not isinstance(node.value, str):

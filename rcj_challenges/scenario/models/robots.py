@@ -63,7 +63,9 @@ class Robot(Strict):
     idle: bool = described(False, "True: no program drives it and its wheels are braked, so it is an obstacle")
 
 
-EntryPoint = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_][A-Za-z0-9_./-]*\.py$", max_length=200)]
+# No part of the path is empty, or one or two dots.
+_PART = r"[A-Za-z0-9_.-]*[A-Za-z0-9_-][A-Za-z0-9_.-]*"
+EntryPoint = Annotated[str, StringConstraints(pattern=rf"^[A-Za-z0-9_][A-Za-z0-9_.-]*(/{_PART})*\.py$", max_length=200)]
 EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(strict=False, min_length=1)]
 
 

@@ -72,11 +72,9 @@ def parse_bytes(data: bytes, file: str) -> Node:
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
-        before = data[: error.start]
-        line = before.count(b"\n") + 1
-        column = len(before.rpartition(b"\n")[2].decode("utf-8", "replace")) + 1
+        mark = _mark_after(data[: error.start].decode("utf-8", "replace"), file)
         message = f"not UTF-8: byte 0x{data[error.start]:02x}"
-        raise ScenarioError([Mark(file, line, column).error(NOT_UTF8, message, "save the file as UTF-8")]) from None
+        raise ScenarioError([mark.error(NOT_UTF8, message, "save the file as UTF-8")]) from None
     return parse_text(text, file)
 
 
@@ -90,10 +88,8 @@ def parse_text(text: str, file: str) -> Node:
     refuse_size(len(text), file)
     bad = _UNPRINTABLE.search(text)
     if bad is not None:
-        before = text[: bad.start()].replace("\r\n", "\n").replace("\r", "\n")
-        line, column = before.count("\n") + 1, len(before.rpartition("\n")[2]) + 1
         message = f"character U+{ord(bad.group()):04X} is not allowed in YAML"
-        raise ScenarioError([Mark(file, line, column).error(INVALID_YAML, message)])
+        raise ScenarioError([_mark_after(text[: bad.start()], file).error(INVALID_YAML, message)])
     reader, root = _Reader(text, file), None
     with suppress(_HopelessError):
         try:
@@ -133,6 +129,11 @@ def refuse_size(size: int, file: str) -> None:
 def on_one_line(data: Any) -> str:
     """Return data as an author writes it in one line."""
     return str(yaml.safe_dump(data, default_flow_style=True, sort_keys=False, width=inf)).strip()
+
+
+def _mark_after(before: str, file: str) -> Mark:
+    lines = before.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    return Mark(file, len(lines), len(lines[-1]) + 1)
 
 
 def _syntax_error(error: yaml.MarkedYAMLError, file: str) -> Diagnostic:
