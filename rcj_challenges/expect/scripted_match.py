@@ -13,8 +13,8 @@ from rcj_challenges.referee.state import float32
 from rcj_challenges.scenario.draw_order import Series
 from rcj_challenges.scenario.halves import half_length_s, teams_by_seat
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.positions import start_pose
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.shapes import start_pose
 
 # Where the stage shows what is off the field; the referee must not look there.
 _PARKED_X_M, _PARKED_STEP_M = 3.0, 0.2

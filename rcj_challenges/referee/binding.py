@@ -15,8 +15,8 @@ from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Names, Point, Scalar
 from rcj_challenges.rules.placement import Mirror
-from rcj_challenges.scenario.positions import on_floor
 from rcj_challenges.scenario.rule_effects import alternatives, roles_in
+from rcj_challenges.scenario.shapes import on_floor
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.trackers import Tracker
 

@@ -16,8 +16,8 @@ from rcj_challenges.scenario.outlines import (
     obstacle_outline,
     robot_outline,
 )
-from rcj_challenges.scenario.positions import start_pose
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.shapes import start_pose
 from rcj_challenges.tracking.places import Point
 
 

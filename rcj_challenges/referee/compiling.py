@@ -17,7 +17,7 @@ from rcj_challenges.rules.placement import Mirror
 from rcj_challenges.rules.values import Lasts, Value, compile_duration, compile_value
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.positions import floor_parts
+from rcj_challenges.scenario.shapes import floor_parts
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, HitBuffer, Reader
 from rcj_challenges.tracking.clock_events import ClockEvents

@@ -27,8 +27,8 @@ from rcj_challenges.rules.places import place_of
 from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.scenario.draw_order import Series
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.positions import start_noise_m
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.shapes import start_noise_m
 from rcj_challenges.tracking.trackers import NEVER, Missed
 
 MOST_PASSES = 16

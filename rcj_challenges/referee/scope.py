@@ -16,9 +16,9 @@ from rcj_challenges.referee.zones import point_sampler, region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone
-from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS, as_tuple
 from rcj_challenges.scenario.rule_effects import roles_in, spots_set_by_rules, with_names
+from rcj_challenges.scenario.shapes import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target

@@ -16,18 +16,18 @@ from pydantic import ValidationError
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.run import check
-from rcj_challenges.scenario.codes import WRONG_OVERRIDE, WRONG_VALUE
+from rcj_challenges.scenario.codes import WRONG_VALUE
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.kits import fill_in_devices
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.extend import Source, find_scenario, read_chain
 from rcj_challenges.scenario.reading.merge import TESTS, Merger, Repeated
-from rcj_challenges.scenario.reading.params import apply_overrides, params_of, resolve_params
+from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params, sets_param
 from rcj_challenges.scenario.reading.repeating import entry_of, merged, repeat_entries
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, check_size, nodes_in, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Step, check_size, nodes_in, plain
 
 
 @dataclass(frozen=True)
@@ -95,9 +95,7 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequen
         ScenarioError: it is not what this version writes, or is wrong with the overrides.
     """
     tree, merger = Source.of_data(resolved, RESOLVED).tree, Merger()
-    if overrides:
-        _refuse_params(tree, overrides)
-        apply_overrides(tree, overrides, merger)
+    apply_overrides(tree, overrides, merger, is_resolved=True)
     scenario = _checked(tree, merger)
     return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, dumped(scenario))
 
@@ -115,34 +113,12 @@ def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], ov
         return load_resolved(resolved, overrides=overrides)
     tree, merger = Source.of_data(unresolved, RESOLVED).tree, Merger()
     tree.entries.pop(TESTS, None)  # a record may have tests that did not fit the scenario
-    of_params = [override for override in overrides if _param_of(tree, override) is not None]
+    of_params = [override for override in overrides if sets_param(tree, override)]
     if of_params:
         apply_overrides(tree, of_params, merger)
         _resolve(tree, merger)
         resolved = dumped(_checked(tree, merger))
     return load_resolved(resolved, overrides=[override for override in overrides if override not in of_params])
-
-
-def _param_of(tree: Entries, override: str) -> str | None:
-    """Return the param that an override sets, ``params`` for all of them; None: it sets something else."""
-    first, _, rest = override.partition("=")[0].strip().partition(".")
-    if first == "params":
-        return rest or first
-    return first if first in params_of(tree) and not rest else None  # one may be called like a section
-
-
-def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
-    """Refuse overrides of params: they would have no effect.
-
-    Raises:
-        ScenarioError: names them.
-    """
-    help_ = "set the value where it is used, or name the scenario's file"
-    message = "the values of params are filled in already where they are used"
-    params = (override for override in overrides if _param_of(tree, override) is not None)
-    problems = [Mark(f"--set {override}").error(WRONG_OVERRIDE, message, help_) for override in params]
-    if problems:
-        raise ScenarioError(problems)
 
 
 def _resolve(tree: Entries, merger: Merger) -> None:

@@ -20,9 +20,8 @@ from numpy.typing import NDArray
 
 from rcj_challenges.devices.base import Eye, Seen
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.positions import at_start
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.shapes import SPOT_M, floor_of, floor_outline, goal_floor
+from rcj_challenges.scenario.shapes import SPOT_M, at_start, floor_of, floor_outline, goal_floor
 from rcj_challenges.world.build_field import WALL_THICKNESS_M
 from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.recognition import Recognition

@@ -14,8 +14,8 @@ from rcj_challenges.core.play import Fault, Placement, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.devices.base import FixedRay
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.positions import start_pose
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.shapes import start_pose
 from rcj_challenges.world.build import build_spec
 from rcj_challenges.world.effects import make_drives, make_effects
 from rcj_challenges.world.effects.base import Effect, Scene

@@ -2,9 +2,8 @@
 
 import pytest
 
-from rcj_challenges.scenario.positions import at_start
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.shapes import zone_words
+from rcj_challenges.scenario.shapes import at_start, zone_words
 from rcj_challenges.views.replay.things import visible_things
 from tests.referee.building import fail, on_fault
 from tests.scenario.writing import complaints, rule, scenario

@@ -7,7 +7,7 @@ import pytest
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.scenario.positions import start_noise_m, start_pose
+from rcj_challenges.scenario.shapes import start_noise_m, start_pose
 from rcj_challenges.world.world import World
 from tests.scenario.writing import loaded
 

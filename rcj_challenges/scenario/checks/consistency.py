@@ -1,15 +1,16 @@
-"""What is well formed and contradicts itself: within rules, times, draws, tests, kits and entrants."""
+"""What is well formed and contradicts itself: within rules, times, draws, tests, kits, entrants and guidelines."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 
-from rcj_challenges.chassis.base import Chassis
+from rcj_challenges.chassis.base import CHASSIS, Chassis
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Device
-from rcj_challenges.rules.base import Condition, PlaceWord, Trigger
+from rcj_challenges.devices.base import DEVICES, Device
+from rcj_challenges.rules.base import Condition, PlaceWord, Trigger, Vocabulary
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.effects import AtTime, Draws, SetsSpot
 from rcj_challenges.rules.fields import Strict
@@ -18,16 +19,16 @@ from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario import codes
-from rcj_challenges.scenario.checks.guidelines import check_guideline
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_half, longest_half_s
 from rcj_challenges.scenario.messages.wording import spelled
+from rcj_challenges.scenario.models.designs import Guideline, Part
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, MatchExpectation, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw, Sequence
-from rcj_challenges.scenario.positions import centre_of
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.shapes import centre_of
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import effects_in, walk
 
@@ -67,7 +68,7 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     yield from _robots(scenario, roster)
     yield from dict.fromkeys(_kits_of_teams(scenario))
     for name, guideline in scenario.guidelines.items():
-        yield from check_guideline(guideline, ("guidelines", name))
+        yield from _guideline(guideline, ("guidelines", name))
     yield from _entrants(scenario)
     yield from _ranking(scenario)
 
@@ -310,3 +311,30 @@ def _ranking(scenario: Scenario) -> Iterator[Diagnostic]:
             if counter is not None and counter.keep == "match" and (counter.keeps or counter.first is None):
                 message = f"counter '{name}' of the match keeps a value, or begins with none: halves do not add to it"
                 yield issue(codes.WRONG_VALUE, ("result", "rank", at), message, "write over: last")
+
+
+# --- guidelines -------------------------------------------------------------------------------------------------------
+
+
+def _guideline(guideline: Guideline, path: Path) -> Iterator[Diagnostic]:
+    """Yield the mistakes in a guideline."""
+    yield from _parts(guideline.drives, CHASSIS, (*path, "drives"))
+    yield from _parts(guideline.devices, DEVICES, (*path, "devices"))
+
+
+def _parts(parts: Mapping[str, Part], words: Vocabulary, path: Path) -> Iterator[Diagnostic]:
+    known = {word.name(): word for word in words.words()}
+    for name, part in parts.items():
+        if name not in known:
+            message = f"there is no {words.key} '{name}'"
+            yield issue(codes.UNKNOWN_WORD, (*path, name), message, choice_of(name, known), at_key=True)
+            continue
+        fields = [field for field in known[name].model_fields if field != words.key]
+        for field, allowance in part.limits.items():
+            at: Path = (*path, name, "limits", field)
+            if field not in fields:
+                message = f"{name} has no field '{field}'"
+                yield issue(codes.UNKNOWN_NAME, at, message, choice_of(field, fields), at_key=True)
+            steps = [up_to for up_to, _ in allowance.prices]
+            if any(one >= other for one, other in pairwise(steps)):
+                yield issue(codes.WRONG_VALUE, (*at, "prices"), "the values must increase from step to step")

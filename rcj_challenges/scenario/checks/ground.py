@@ -24,9 +24,9 @@ from rcj_challenges.scenario.outlines import (
     overlap,
     robot_outline,
 )
-from rcj_challenges.scenario.positions import centre_of, start_pose
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import fixed_spots
+from rcj_challenges.scenario.shapes import centre_of, start_pose
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import walk
 

@@ -15,9 +15,8 @@ from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Floor, Part, disc, overlap, robot_outline
-from rcj_challenges.scenario.positions import floor_parts, on_floor
 from rcj_challenges.scenario.rule_effects import fixed_spots
-from rcj_challenges.scenario.shapes import clipped, zone_outline
+from rcj_challenges.scenario.shapes import clipped, floor_parts, on_floor, zone_outline
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import effects_in
 

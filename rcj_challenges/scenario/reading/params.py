@@ -60,14 +60,20 @@ _MAX_EXACT = 2**53
 # --- overrides --------------------------------------------------------------------------------------------------------
 
 
-def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> None:
-    """Change the merged tree as the command line asks; what cannot be is added to the merger's problems."""
+def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger, *, is_resolved: bool = False) -> None:
+    """Change the merged tree as the command line asks; what cannot be is added to the merger's problems.
+
+    In one that is resolved no param can be set: that would have no effect.
+    """
     for override in overrides:
         mark = Mark(f"--set {override if len(override) <= 80 else override[:77] + '...'}")
         path, equals, text = override.partition("=")
         try:
             if not equals or not path.strip() or not text.strip():
                 raise _refused("expected PATH=VALUE", "PATH is a param's name, or a path such as match.half_s")
+            if is_resolved and sets_param(root, override):
+                help_ = "set the value where it is used, or name the scenario's file"
+                raise _refused("the values of params are filled in already where they are used", help_)
             value = parse_value(text, mark.file)
             for node in nodes_in(value):  # they stand in no line of a file
                 node.mark = mark
@@ -76,6 +82,12 @@ def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> 
             _set(root, _steps(path.strip(), root), value, mark, merger)
         except ScenarioError as error:
             merger.problems += [mark.error(one.code, one.message, one.help) for one in error.diagnostics]
+
+
+def sets_param(root: Entries, override: str) -> bool:
+    """Return whether an override sets a param, or all of them."""
+    first, _, rest = override.partition("=")[0].strip().partition(".")
+    return first == "params" or (first in params_of(root) and not rest)  # one may be called like a section
 
 
 def _refused(message: str, help_: str = "") -> ScenarioError:

@@ -9,11 +9,10 @@ from typing import NamedTuple
 from rcj_challenges.chassis.base import Chassis, WheelName, wheel_words
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.devices.base import Device
-from rcj_challenges.geometry.polygons import turned
+from rcj_challenges.geometry.polygons import Point, turned
 from rcj_challenges.rules.phrasing import listed, metres, metres_alike
 from rcj_challenges.scenario.designs import Verdict
 from rcj_challenges.scenario.models.designs import Design, Guideline
-from rcj_challenges.scenario.shapes import Point
 from rcj_challenges.views.drawing.paper import Entry, Paper
 
 _ROW_PX = 400.0

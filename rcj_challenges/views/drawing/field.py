@@ -7,19 +7,18 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.geometry.polygons import box, turned
+from rcj_challenges.geometry.polygons import Point, box, turned
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
-from rcj_challenges.scenario.positions import at_start, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import Roster, with_each
 from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.shapes import (
     FORWARD_M,
-    Point,
+    at_start,
     corners_of,
     floor_of,
     floor_outline,
@@ -27,6 +26,8 @@ from rcj_challenges.scenario.shapes import (
     goal_floor,
     middle,
     point_words,
+    start_noise_m,
+    start_pose,
     visible_outline,
     zone_outline,
     zone_words,

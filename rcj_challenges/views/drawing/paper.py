@@ -8,7 +8,8 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from rcj_challenges.scenario.shapes import Box, Point
+from rcj_challenges.geometry.polygons import Point
+from rcj_challenges.scenario.shapes import Box
 from rcj_challenges.views.markup import escaped
 
 MARKER_PX = 18.0

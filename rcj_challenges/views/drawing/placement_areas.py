@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from itertools import product
 
 from rcj_challenges.core.play import Pose2
+from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.base import PlaceWord
 from rcj_challenges.rules.effects import Places, PlacesLayout, Removes, SetsSpot
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.placement import Mirror
 from rcj_challenges.rules.places import place_of
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.positions import start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, OTHER, Roster, as_tuple
 from rcj_challenges.scenario.rule_effects import alternatives, fixed_spots, rules_at_start, written_others
-from rcj_challenges.scenario.shapes import Point, point_words
+from rcj_challenges.scenario.shapes import point_words, start_noise_m, start_pose
 
 Flip = tuple[bool, bool]
 """Whether x becomes -x, and whether y becomes -y."""

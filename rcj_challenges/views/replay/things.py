@@ -12,9 +12,9 @@ from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import Zone
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.positions import at_start
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import fixed_spots, spots_set_by_rules
+from rcj_challenges.scenario.shapes import at_start
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.naming import seat_colours
 from rcj_challenges.views.palette import css_colour

@@ -13,8 +13,7 @@ from PIL import Image, ImageDraw
 
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import RectZone
-from rcj_challenges.scenario.positions import at_start
-from rcj_challenges.scenario.shapes import SPOT_M, floor_of, floor_outline, forward_mark, goal_floor
+from rcj_challenges.scenario.shapes import SPOT_M, at_start, floor_of, floor_outline, forward_mark, goal_floor
 from rcj_challenges.views.palette import PALETTE, Rgb, rgb, text_on
 from rcj_challenges.views.replay.things import zone_colour
 from rcj_challenges.views.video.camera import FOV_RAD
