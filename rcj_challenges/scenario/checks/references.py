@@ -90,7 +90,7 @@ class _Walker:
             return  # of an unknown form, which is reported as such; or enough is wrong already
         if isinstance(node, Entries) and is_model(model := bare(shape).kind):
             scope = self._model(model, node, path, scope)
-        for step, inner in entries_of(node).items() or enumerate(items_of(node)):
+        for step, inner in enumerate(node.items) if isinstance(node, Items) else entries_of(node).items():
             if not isinstance(inner, Leaf):
                 self.walk(inner, step_into(shape, node, step), (*path, step), scope)
 
@@ -478,8 +478,8 @@ def _names_in(node: Node, path: Path, reference: Reference) -> Iterator[tuple[st
         yield from ((name, (*path, name)) for name in entries_of(node))
     elif isinstance(node, Leaf) and isinstance(node.value, str):
         yield node.value, path
-    else:
-        for index, item in enumerate(items_of(node)):
+    elif isinstance(node, Items):
+        for index, item in enumerate(node.items):
             yield from _names_in(item, (*path, index), reference)
 
 

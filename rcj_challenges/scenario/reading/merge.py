@@ -201,4 +201,4 @@ def leave_entrants(base: Entries, written: Entries) -> None:
 
 def is_param(node: Node) -> bool:
     """Return whether a mapping reads ``{param: NAME}``, whatever stands beside."""
-    return isinstance(value_of(child(node, "param")), str)
+    return isinstance(node, Entries) and isinstance(value_of(node.entries.get("param")), str)

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import product
 from math import prod
+from operator import itemgetter
 from typing import NamedTuple
 
 from rcj_challenges.core.amounts import Noun
@@ -178,9 +179,9 @@ class _Copier:
             tables.append(self._table(name, one.mark, at))
             if not tables[-1]:
                 return []
-        # Of a use of a param that is a list there is one more for each of its values.
-        lists = [len(items_of(value)) for table in tables for _, row in table for value in row.values()]
-        size = sum(1 + is_param(one) * max(lists, default=0) for one in nodes_in(entry))
+        columns = [(name, len(items_of(value))) for table in tables for _, row in table for name, value in row.items()]
+        longest = dict(sorted(columns, key=itemgetter(1)))  # of a column, in the row where its list is the longest
+        size = sum(1 + longest.get(str(value_of(child(one, "param"))), 0) for one in nodes_in(entry))
         self.left -= size * prod(map(len, tables))
         if self.left < 0:
             message = f"too much is repeated: written out it would be more than {_MAX_VALUES} single values"

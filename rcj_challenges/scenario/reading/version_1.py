@@ -5,7 +5,7 @@ This is the only module that knows how version 1 was written. Where nothing chan
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from rcj_challenges.scenario.tree import (
     Entries,
@@ -17,6 +17,7 @@ from rcj_challenges.scenario.tree import (
     entries_of,
     items_of,
     node_at,
+    nodes_in,
     value_of,
 )
 
@@ -198,7 +199,12 @@ class _Rule:
         weight, fraction = (part.entries.pop(key, None) for key in ("weight", "fraction"))
         word, is_timer = _text(part, "word"), "timer" in part.entries
         kind = next((one for one in _OF_ALL if one in part.entries), "")
-        if in_list and self._group and "entity" not in part.entries and self._is_kept_per(kind, _text(part, kind)):
+        if (
+            in_list
+            and self._group
+            and "entity" not in part.entries
+            and _per(self._trees, f"{kind}s", _text(part, kind))
+        ):
             part = _mapping(node.mark, **{_OF_ALL[kind]: part})
         if (is_timer or word.endswith("_s")) and value_of(fraction) is not True:
             part.put("round", Leaf("down", node.mark), node.mark)
@@ -210,9 +216,6 @@ class _Rule:
             part = _mapping(node.mark, sum=Items([part], node.mark))
         part.put("times", weight, node.key_marks["weight"])
         return part
-
-    def _is_kept_per(self, kind: str, name: str) -> bool:
-        return bool(_per(self._trees, f"{kind}s", name))
 
     def _bound(self, node: Entries, key: str) -> None:
         """``{lowest: COUNTER}`` is among all others in a rule for each that keeps the counter, else among all."""
@@ -301,12 +304,6 @@ def _text(node: Node | None, key: str) -> str:
     return found if isinstance(found, str) else ""
 
 
-def _mappings(node: Node) -> Iterator[Entries]:
-    """Yield all mappings in a value, itself included; what changes meanwhile is not looked at again."""
-    if isinstance(node, Entries):
-        for inner in list(node.entries.values()):
-            yield from _mappings(inner)
-        yield node
-    elif isinstance(node, Items):
-        for inner in node.items:
-            yield from _mappings(inner)
+def _mappings(node: Node) -> list[Entries]:
+    """Return all mappings in a value, itself included, inner ones first; later ones are not among them."""
+    return [one for one in reversed([*nodes_in(node)]) if isinstance(one, Entries)]
