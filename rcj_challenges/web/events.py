@@ -52,9 +52,8 @@ def freeze(event: Event, now: datetime, *, waits: bool = True) -> bool:
     """
     with jobs.writing():
         event = Event.objects.select_for_update().get(pk=event.pk)
-        if event.closed_at is None or event.frozen_at is not None or not has_all_receipts(event, now):
-            return False
-        if waits and pending(event).exists():
+        is_due = event.closed_at is not None and event.frozen_at is None and has_all_receipts(event, now)
+        if not is_due or (waits and pending(event).exists()):
             return False
         event.frozen, event.frozen_at = _chosen(event), now
         event.save(update_fields=("frozen", "frozen_at"))

@@ -12,6 +12,7 @@ from rcj_challenges.views.live.feed import json_message, news_message, pose_mess
 from rcj_challenges.views.replay.packing import unpacked
 from rcj_challenges.views.timeline import CHANGES
 
+_NOTHING_YET = {"ticks": 0, **dict.fromkeys((*CHANGES, "jumps", "faults"), ())}
 STEP_S = 0.5
 """Rare enough for many spectators, often enough for one moment of all of them."""
 
@@ -46,17 +47,17 @@ def recorded_feed(facts: Mapping[str, Any], poses: Mapping[int, str], half_time_
     Raises:
         ValueError: the poses are damaged.
     """
-    tick_s, halves, data = facts["tick_s"], facts["halves"], bytearray()
+    tick_s, halves, data, begins_s = facts["tick_s"], facts["halves"], bytearray(), 0.0
     ends: list[int] = []
     goals: list[tuple[float, int, int, str, str]] = []
-    begins_s = 0.0
     for half in halves:
         number, last, sent = half["half"], half["ticks"], -1
         rows = unpacked(poses[number], len(facts["channels"]), len(facts["entities"]))
         while sent < last:
             until = min(last, math.floor(((len(ends) + 1) * STEP_S - begins_s) / tick_s))
             if until > sent:  # else it is the break before this half
-                data += _begin(half) if sent < 0 else b""
+                if sent < 0:
+                    data += json_message({"say": "half", "facts": half | _NOTHING_YET})
                 data += pose_message(number, sent + 1, rows[sent + 1 : until + 1].tobytes())
                 data += news_message(number, _happened(facts, half, sent, until))
                 sent = until
@@ -67,9 +68,8 @@ def recorded_feed(facts: Mapping[str, Any], poses: Mapping[int, str], half_time_
             if event["half"] == number and event["kind"] == "goal"
         ]
         begins_s += last * tick_s + half_time_s
-    data += json_message(
-        {"say": "over", "replay": False, **{key: facts[key] for key in ("about", "places", "complete")}}
-    )
+    over = {key: facts[key] for key in ("about", "places", "complete")}
+    data += json_message({"say": "over", "replay": False, **over})
     ends[-1:] = [len(data)]
     planned = [half["planned_ticks"] for half in halves]
     planned += planned[-1:] * (facts["halves_planned"] - len(planned))
@@ -79,12 +79,6 @@ def recorded_feed(facts: Mapping[str, Any], poses: Mapping[int, str], half_time_
     }  # fmt: skip
     planned_s = sum(planned) * tick_s + (len(planned) - 1) * half_time_s
     return RecordedFeed(before, bytes(data), tuple(ends), planned_s, tuple(goals))
-
-
-def _begin(half: Mapping[str, Any]) -> bytes:
-    return json_message(
-        {"say": "half", "facts": {**half, "ticks": 0, **dict.fromkeys((*CHANGES, "jumps", "faults"), ())}}
-    )
 
 
 def _happened(facts: Mapping[str, Any], half: Mapping[str, Any], after: int, until: int) -> dict[str, Any]:
