@@ -104,8 +104,7 @@ def ensure_consistent(results: Results, table: list[Rating]) -> None:
         made_by = results.versions.get("rcj_challenges", "unknown")
         help_ = f"use version {made_by} of this package; if the table still differs, ask the organizers"
         raise SiteError("the published table does not follow from the results", help_, code=TABLE_DIFFERS)
-    secret = results.secret
-    if secret is None:
+    if (secret := results.secret) is None:
         return
     wrong = [one.number for one in results.matches if one.seed != seed_of(secret, str(one.number))]
     if secret_hash(secret) != results.secret_hash or wrong:

@@ -126,11 +126,6 @@ class EventForm(forms.ModelForm):  # type: ignore[type-arg]  # the class takes n
         _time = forms.DateTimeInput({"type": "datetime-local"}, "%Y-%m-%dT%H:%M")
         widgets: ClassVar = {"deadline": _time, "premiere": _time}
 
-    def __init__(self, *args: Any, **options: Any) -> None:
-        super().__init__(*args, **options)
-        if self.instance.closed_at is not None:
-            del self.fields["deadline"]
-
     def clean_title(self) -> str:
         """Return the title without what cannot be shown."""
         return sanitize(self.cleaned_data["title"], 80)
@@ -161,6 +156,8 @@ def desk_event(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBas
     """Show an event: what it waits for, its form, its matches; and change its form until they begin."""
     event = get_object_or_404(Event.objects.select_related("season"), pk=pk)
     form, has_begun = EventForm(request.POST or None, instance=copy(event)), events.has_begun(event)
+    if event.closed_at is not None:
+        del form.fields["deadline"]
     if form.is_valid():
         if has_begun or not Event.objects.filter(pk=pk, closed_at=event.closed_at).update(**form.cleaned_data):
             return _not_now(request)

@@ -160,13 +160,10 @@ _SHOWN = 20
 @only("team")
 def practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     """Show the practice of a team, and whom it can play against."""
-    season, entry = seasons.running(), _entry(viewer)
-    either = Q(blue__team=viewer.team) | Q(yellow__team=viewer.team)
+    entry, either = _entry(viewer), Q(blue__team=viewer.team) | Q(yellow__team=viewer.team)
     theirs = seasons.with_sides(Match.objects.filter(either, kind=MatchKind.PRACTICE))
-    opponents = _opponents(entry) if entry else ()
-    return page(
-        request, "practice.html", viewer, season=season, entry=entry, matches=theirs[:_SHOWN], opponents=opponents
-    )
+    values: dict[str, Any] = {"season": seasons.running(), "opponents": _opponents(entry) if entry else ()}
+    return page(request, "practice.html", viewer, entry=entry, matches=theirs[:_SHOWN], **values)
 
 
 def _entry(viewer: Viewer) -> Entry | None:
@@ -176,10 +173,9 @@ def _entry(viewer: Viewer) -> Entry | None:
 def _opponents(entry: Entry) -> QuerySet[Submission]:
     """Return the submissions that a team may practise against."""
     allowed = Q(via="sample") | Q(team=entry.team) | Q(entry__isnull=False, team__allows_practice=True)
-    found = Submission.objects.filter(allowed, season=entry.season, state=State.ACCEPTED, is_deleted=False)
-    return (
-        found.exclude(pk=entry.active_id or 0).select_related("team").defer("report").order_by("via", "team", "-number")
-    )
+    found = Submission.objects.filter(allowed, season=entry.season_id, state=State.ACCEPTED, is_deleted=False)
+    others = found.exclude(pk=entry.active_id or 0).order_by("via", "team", "-number")
+    return others.select_related("team").defer("report")
 
 
 @only("team", post=True)
