@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
@@ -33,12 +32,6 @@ def half_of(scenario: Scenario, half: int = 1, seed: int = 1) -> HalfInfo:
         teams=teams_by_seat(scenario, half),
         scores=dict.fromkeys(scenario.entrants, 0),
     )
-
-
-@dataclass
-class _Glide:
-    to: tuple[float, ...]
-    substeps_left: int
 
 
 class ScriptedMatch:
@@ -75,7 +68,7 @@ class ScriptedMatch:
         self._poses = [_float32(*start_pose(scenario, name)) for name in roster.entities]
         self._uprights = [1.0] * entities
         self._heights = [_STANDING_HEIGHT_M] * entities
-        self._glides: dict[int, _Glide] = {}
+        self._glides: dict[int, tuple[tuple[float, ...], int]] = {}  # where to, and the sub-steps that are left
         self._touching: dict[tuple[int, int], int] = {}
         self._faults: list[Fault] = []
         self._messages: dict[int, list[str]] = {}
@@ -109,7 +102,7 @@ class ScriptedMatch:
 
     def glide(self, entity: str, to: tuple[float, ...], ticks: int) -> None:
         """Let an entity glide to [x, y] or [x, y, yaw] in a straight line, to arrive after so many ticks."""
-        self._glides[self.roster.index[entity]] = _Glide(to, ticks * SUBSTEPS_PER_TICK)
+        self._glides[self.roster.index[entity]] = to, ticks * SUBSTEPS_PER_TICK
 
     def touch(self, first: str, second: str, ticks: int = 1) -> None:
         """Let two things touch from the next tick on for so many ticks, in all their sub-steps."""
@@ -179,12 +172,12 @@ class ScriptedMatch:
     def _glided(self) -> list[Pose2]:
         """Move what glides by one sub-step; each step is the rest of the way over the sub-steps that are left."""
         poses = list(self._poses)
-        for index, glide in list(self._glides.items()):
+        for index, (to, left) in [*self._glides.items()]:
             here = poses[index]
-            goal = (glide.to[0], glide.to[1], glide.to[2] if len(glide.to) > 2 else here[2])
-            poses[index] = _float32(*(a + (b - a) / glide.substeps_left for a, b in zip(here, goal, strict=True)))
-            glide.substeps_left -= 1
-            if glide.substeps_left == 0:
+            goal = (*to, *here[len(to) :])
+            poses[index] = _float32(*(a + (b - a) / left for a, b in zip(here, goal, strict=True)))
+            self._glides[index] = to, left - 1
+            if left == 1:
                 del self._glides[index]
         self._poses = poses
         return poses

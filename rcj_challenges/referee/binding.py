@@ -97,15 +97,12 @@ class RuleBinder(NameScope):
         self._context.trackers.release(self.state.held.release(robots))
 
     def decide_draw(self, draw: str, value: Scalar | None) -> None:
-        before = self.state.draws[draw]
         if value is not None:
-            self.state.set_draw(draw, value)
+            self.assign(draw, value)
         else:
-            self.state.draw_again(draw, self.scenario.draws[draw])
-        if self.state.draws[draw] != before:
-            self._context.has_drawn(draw)
+            self._context.assign(draw, lambda: self.state.draw_again(draw, self.scenario.draws[draw]))
 
-    def assign(self, role: str, member: str | None) -> None:
+    def assign(self, role: str, member: Scalar | None) -> None:
         self._context.assign(role, lambda: self.state.set_draw(role, member))
 
     def assign_next(self, role: str) -> None:
@@ -137,10 +134,7 @@ class RuleBinder(NameScope):
 
     def place(self, jobs: list[PlacementJob]) -> None:
         for job in jobs:
-            if job.spec is not None and job.spec.mirrors:
-                self._context.queue.ask(replace(job, signs=job.spec.signs_now()))
-            else:
-                self._context.queue.ask(job)
+            self._context.queue.ask(job if job.spec is None else replace(job, signs=job.spec.signs_now()))
 
     def place_later(self, job: PlacementJob, ticks: int) -> None:
         self._context.queue.ask_later(replace(job, due=self.state.tick + ticks, comes_back=True))

@@ -104,15 +104,11 @@ class CompileContext:
                 self._by_draw[name].append(tracker)
 
     def assign(self, role: str, assign: Callable[[], None]) -> None:
-        """Assign a role, and reset all that follows who has it, if that changed."""
+        """Assign a role or draw, and if that changes it, reset all that follows it: its change is not an edge."""
         before = self.state.draws[role]
         assign()
         if self.state.draws[role] != before:
-            self.has_drawn(role)
-
-    def has_drawn(self, name: str) -> None:
-        """Reset all that follows what a draw decided: its change is not an edge."""
-        self.trackers.reset(*self._by_draw.get(name, ()))
+            self.trackers.reset(*self._by_draw.get(role, ()))
 
     # --- trackers ---------------------------------------------------------------------------------------------------
 

@@ -49,8 +49,10 @@ class Rounds:
             if self._next_phase is not None:
                 phase, self._next_phase = self._next_phase, None
                 self._enter_phase(phase)
-        for rule, place in denied:
-            self._note_denial(rule, place)
+        if self.denied is not None:  # of several that a rule is for, what kept the first of them
+            for rule, place in denied:
+                denial = Denial(place, held_after=rule.tests[place]())
+                self.denied.setdefault(rule.name, {}).setdefault(self._state.tick, denial)
 
     def set_phase(self, phase: str) -> None:
         """Let a phase begin when the round ends; of several that differ the first."""
@@ -78,12 +80,6 @@ class Rounds:
             elif self.denied is not None:
                 denied.append((hit.binding.rule, failed))
         return chosen
-
-    def _note_denial(self, rule: BoundRule, place: int) -> None:
-        """Note what kept a rule from firing, in a test; of several that it is for, what kept the first of them."""
-        if self.denied is not None:
-            held_after = rule.tests[place]()
-            self.denied.setdefault(rule.name, {}).setdefault(self._state.tick, Denial(place, held_after))
 
     def _run(self, hit: TriggerHit, won: set[tuple[str, str | None]]) -> None:
         rule, firing = hit.binding.rule, self._firing(hit)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import accumulate
 from math import cos, inf, pi, sin, sqrt, tau
 
@@ -40,14 +40,13 @@ def point_sampler(zones: Mapping[str, models.Zone]) -> Sampler:
     Raises:
         ValueError: a zone has no end in some direction.
     """
-    samplers = [_of_one(zone, name) for name, zone in zones.items()]
-    return samplers[0] if len(samplers) == 1 else _of_several(list(zones.values()), samplers)
+    areas_m2, samplers = zip(*(_of_one(zone, name) for name, zone in zones.items()), strict=True)
+    return samplers[0] if len(samplers) == 1 else _of_several([*map(region_of, zones.values())], areas_m2, samplers)
 
 
-def _of_several(zones: list[models.Zone], samplers: list[Sampler]) -> Sampler:
+def _of_several(regions: Sequence[Outlined], areas_m2: Sequence[float], samplers: Sequence[Sampler]) -> Sampler:
     """Draw a zone by its area, then a point of it; where zones overlap, a point is drawn for each and kept for one."""
-    reach = list(accumulate(_area_m2(zone) for zone in zones))
-    regions = [region_of(zone) for zone in zones]
+    reach = list(accumulate(areas_m2))
 
     def in_any(rng: random.Random) -> Point:
         for _ in range(_MAX_TRIES):
@@ -60,16 +59,19 @@ def _of_several(zones: list[models.Zone], samplers: list[Sampler]) -> Sampler:
     return in_any
 
 
-def _of_one(zone: models.Zone, name: str) -> Sampler:
+def _of_one(zone: models.Zone, name: str) -> tuple[float, Sampler]:
+    """Return the area of a zone in m², and a function that draws a point of it."""
     if not zone.inverted:
         match zone:
             case models.RectZone(x_min_m=float() | int() as x_0, x_max_m=float() | int() as x_1,
                                  y_min_m=float() | int() as y_0, y_max_m=float() | int() as y_1):  # fmt: skip
-                return lambda rng: (rng.uniform(x_0, x_1), rng.uniform(y_0, y_1))
+                return (x_1 - x_0) * (y_1 - y_0), lambda rng: (rng.uniform(x_0, x_1), rng.uniform(y_0, y_1))
             case models.CircleZone(middle_m=centre, radius_m=radius):
-                return _circle_sampler(centre, radius)
+                return pi * radius**2, _circle_sampler(centre, radius)
             case models.PolygonZone(points_m=points):
-                return _polygon_sampler(points)
+                edges = zip(points, points[1:] + points[:1], strict=True)
+                area_m2 = abs(add_up(ax * by - bx * ay for (ax, ay), (bx, by) in edges)) / 2
+                return area_m2, _polygon_sampler(points)
     message = f"uniform_in: the zone {name!r} is not bounded on all sides"
     raise ValueError(message)
 
@@ -96,17 +98,3 @@ def _polygon_sampler(points: tuple[Point, ...]) -> Sampler:
         return points[0]
 
     return in_polygon
-
-
-def _area_m2(zone: models.Zone) -> float:
-    """Return the area of a zone that is bounded."""
-    match zone:
-        case models.CircleZone(radius_m=radius):
-            return pi * radius**2
-        case models.PolygonZone(points_m=points):
-            turned = zip(points, points[1:] + points[:1], strict=True)
-            return abs(add_up(ax * by - bx * ay for (ax, ay), (bx, by) in turned)) / 2
-        case models.RectZone(x_min_m=float() | int() as x_0, x_max_m=float() | int() as x_1,
-                             y_min_m=float() | int() as y_0, y_max_m=float() | int() as y_1):  # fmt: skip
-            return (x_1 - x_0) * (y_1 - y_0)
-    return 0.0

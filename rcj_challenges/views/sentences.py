@@ -59,9 +59,10 @@ class Reasons:
 
     def about(self, cause: Firing | None) -> str:
         """Return the sentence of a rule; if it leaves open which of several triggers fired, the reason."""
-        rule = self._rules.get(cause.rule) if cause is not None else None
-        reason = self.reason(cause) if rule is not None and len(rule.triggers) > 1 else ""
-        return reason or ("" if cause is None else cause.says)
+        if cause is None:
+            return ""
+        rule = self._rules.get(cause.rule)
+        return (self.reason(cause) if rule is not None and len(rule.triggers) > 1 else "") or cause.says
 
     def reason(self, cause: Firing | None) -> str:
         """Return the reason of a firing: ``Y1 made no progress: 0.497 m in 15 s, at least 0.5 m``; or nothing."""

@@ -89,14 +89,14 @@ def picture_of(scenario: Scenario, roster: Roster) -> Picture:
     paper = Paper((-x, -y, x, y), px_per_m)
     _ground(paper, scenario)
     sections = [
-        _zones(paper, scenario),
-        _placement_areas(paper, scenario, roster, poses),
-        _distances(paper, scenario, roster),
-        _gates(paper, scenario),
-        _obstacles(paper, scenario, poses),
-        _spots(paper, scenario),
-        _robots(paper, scenario, poses),
-        _balls(paper, scenario, poses),
+        ("Zones (m; dashed: not drawn on the field)", [*_zones(paper, scenario)]),
+        ("Put by rules (m)", [*_placement_areas(paper, scenario, roster, poses)]),
+        ("Distances that rules measure (m)", [*_distances(paper, scenario, roster)]),
+        ("Gates (m; the short mark points forward)", [*_gates(paper, scenario)]),
+        ("Obstacles (m)", [*_obstacles(paper, scenario, poses)]),
+        ("Spots (m; round: drawn on the field)", [*_spots(paper, scenario)]),
+        ("Robots at the start (m)", [*_robots(paper, scenario, poses)]),
+        ("Balls at the start (m)", [*_balls(paper, scenario, poses)]),
     ]
     return Picture(paper, scenario.title, sections)
 
@@ -151,8 +151,7 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
         paper.text_px(_MARGIN_PX / 2, paper.px((0, y))[1] + 4, f"y {y:g}", "axis")
 
 
-def _zones(paper: Paper, scenario: Scenario) -> Section:
-    entries: list[Entry] = []
+def _zones(paper: Paper, scenario: Scenario) -> Iterator[Entry]:
     for k, (name, written) in enumerate(scenario.zones.items()):
         zone = at_start(written, scenario)
         marker = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
@@ -171,8 +170,7 @@ def _zones(paper: Paper, scenario: Scenario) -> Section:
         if area:
             on_floor = floor_outline(zone, scenario.field)
             paper.mark(_corner_inside(paper, on_floor if _has_room(paper, on_floor) else area), number, name, marker)
-        entries.append(Entry(f"{name}: {zone_words(written)}", number, marker))
-    return "Zones (m; dashed: not drawn on the field)", entries
+        yield Entry(f"{name}: {zone_words(written)}", number, marker)
 
 
 def _has_room(paper: Paper, area: list[Point]) -> bool:
@@ -188,12 +186,13 @@ def _corner_inside(paper: Paper, area: list[Point]) -> Point:
     return x + max(-step_m, min(step_m, to_x - x)), y + max(-step_m, min(step_m, to_y - y))
 
 
-def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster, poses: dict[str, Pose2 | None]) -> Section:
+def _placement_areas(
+    paper: Paper, scenario: Scenario, roster: Roster, poses: dict[str, Pose2 | None]
+) -> Iterator[Entry]:
     """Draw where rules put things. Places of the same things have the same number."""
     places: dict[tuple[str, bool], list[Area]] = {}
     for area, things in placement_areas(scenario, roster).items():
         places.setdefault((", ".join(things), area.is_aim), []).append(area)
-    entries: list[Entry] = []
     for (names, is_aim), areas in places.items():
         # What stands there when a half begins is drawn there anyway.
         pose = poses.get(names)
@@ -201,8 +200,7 @@ def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster, poses: di
         number = paper.new_number() if shown else ""
         for area in shown:
             _draw_area(paper, scenario, area, f"{'roll' if is_aim else 'put'} {names}", number)
-        entries.append(Entry(f"{names}: {'; '.join(area.words() for area in areas)}", number, _PUT_MARKER))
-    return "Put by rules (m)", entries
+        yield Entry(f"{names}: {'; '.join(area.words() for area in areas)}", number, _PUT_MARKER)
 
 
 def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number: str) -> None:
@@ -228,18 +226,16 @@ def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number:
     paper.mark(place, number, title, _PUT_MARKER, offset_px=offset_px)
 
 
-def _distances(paper: Paper, scenario: Scenario, roster: Roster) -> Section:
+def _distances(paper: Paper, scenario: Scenario, roster: Roster) -> Iterator[Entry]:
     """Draw the distances that rules measure, each once; spots that rules set are where they are when a half starts."""
     remembered, nowhere = spots_set_by_rules(scenario), spots_set_at_start(scenario)
-    entries: list[Entry] = []
     for radius_m, name, centre_m in dict.fromkeys(_measured(scenario, roster)):
         words = f"from {name or point_words(centre_m)}"
         if name not in nowhere:
             colour = _PUT if name in remembered else "#495057"
             style = f'fill="none" stroke="{colour}" stroke-dasharray="1 4" {_WITHIN_WALLS} class="distance"'
             paper.circle(centre_m, radius_m, style, f"{radius_m:g} m {words}")
-        entries.append(Entry(f"{radius_m:g} {words}"))
-    return "Distances that rules measure (m)", entries
+        yield Entry(f"{radius_m:g} {words}")
 
 
 def _measured(scenario: Scenario, roster: Roster) -> Iterator[tuple[float, str, Point]]:
@@ -254,8 +250,7 @@ def _measured(scenario: Scenario, roster: Roster) -> Iterator[tuple[float, str, 
             yield from ((radius_m, name, (scenario.spots[name].x_m, scenario.spots[name].y_m)) for name in spots)
 
 
-def _gates(paper: Paper, scenario: Scenario) -> Section:
-    entries: list[Entry] = []
+def _gates(paper: Paper, scenario: Scenario) -> Iterator[Entry]:
     for name, gate in scenario.gates.items():
         ends: tuple[Point, ...] = (gate.from_m, gate.to_m)
         if gate.anchor is not None:
@@ -271,16 +266,14 @@ def _gates(paper: Paper, scenario: Scenario) -> Section:
         share = _BESIDE_PX / (math.dist((x, y), (tip_x, tip_y)) or 1.0)
         paper.mark(centre, number, name, _GATE, offset_px=(share * (x - tip_x), share * (y - tip_y)))
         moving = f", moving with {gate.anchor}" if gate.anchor else ""
-        entries.append(Entry(f"{name}: {point_words(gate.from_m)} to {point_words(gate.to_m)}{moving}", number, _GATE))
-    return "Gates (m; the short mark points forward)", entries
+        yield Entry(f"{name}: {point_words(gate.from_m)} to {point_words(gate.to_m)}{moving}", number, _GATE)
 
 
-def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Section:
-    entries: list[Entry] = []
+def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Iterator[Entry]:
     for name, obstacle in scenario.obstacles.items():
         pose = poses.get(name, start_pose(scenario, name))
         if pose is None:
-            entries.append(Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}"))
+            yield Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}")
             continue
         style, parts = f'fill="{hex_of(obstacle.colour)}" stroke="#212529"', obstacle_outline(obstacle).at(pose)
         for part in parts:
@@ -293,17 +286,15 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
         number = paper.new_number()
         beside_px = reach_px + _BESIDE_PX if reach_px < MARKER_PX else 0.0  # it would hide a small one
         paper.mark(at, number, name, _BLACK, offset_px=(0.0, -beside_px))
-        entries.append(Entry(f"{name}: {point_words(at)}", number, _BLACK))
-    return "Obstacles (m)", entries
+        yield Entry(f"{name}: {point_words(at)}", number, _BLACK)
 
 
-def _spots(paper: Paper, scenario: Scenario) -> Section:
+def _spots(paper: Paper, scenario: Scenario) -> Iterator[Entry]:
     """Draw the spots, except those that rules set when a half starts: they are never where the file has them."""
     remembered, nowhere, reach_m = spots_set_by_rules(scenario), spots_set_at_start(scenario), _mark_m(paper, _CROSS_M)
-    entries: list[Entry] = []
     for name, spot in scenario.spots.items():
         if name in nowhere:
-            entries.append(Entry(f"{name}: rules set it when {scenario.match.period.a} starts"))
+            yield Entry(f"{name}: rules set it when {scenario.match.period.a} starts")
             continue
         at, is_set = (spot.x_m, spot.y_m), name in remembered
         stroke = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
@@ -316,17 +307,15 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
         number, colour = paper.new_number(), _PUT_MARKER if is_set else _BLACK
         paper.mark(at, number, name, colour, offset_px=(_BESIDE_PX, -_BESIDE_PX))
         words = f" when {scenario.match.period.a} starts; rules set it" if is_set else ""
-        entries.append(Entry(f"{name}: {_numbers(at)}{words}", number, colour))
-    return "Spots (m; round: drawn on the field)", entries
+        yield Entry(f"{name}: {_numbers(at)}{words}", number, colour)
 
 
-def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Section:
-    entries: list[Entry] = []
+def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Iterator[Entry]:
     first_half, boxes = in_half(scenario, 1), False
     for name, robot in scenario.robots.items():
         pose, noise_m = poses[name], start_noise_m(scenario, name)
         if pose is None:
-            entries.append(Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}"))
+            yield Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}")
             continue
         kit, at, ink = kit_of(first_half, name), pose[:2], text_on(rgb(robot.colour))
         size_m = kit.chassis.size_m
@@ -351,26 +340,23 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
             paper.mark(at, number, name, _BLACK, offset_px=(0.0, size_m * 0.7 * paper.scale + _BESIDE_PX))
         noise = f", ± {noise_m[0]:g}, {noise_m[1]:g}" if shifts else ""
         boxes = boxes or shifts
-        entries.append(Entry(f"{name}: {_numbers(at)}, turned by {degrees(pose[2])}{noise}", number, _BLACK))
+        yield Entry(f"{name}: {_numbers(at)}, turned by {degrees(pose[2])}{noise}", number, _BLACK)
     if boxes:
-        entries.append(Entry("chance shifts a start within its box (±)", sample=_NOISE_BOX))
-    return "Robots at the start (m)", entries
+        yield Entry("chance shifts a start within its box (±)", sample=_NOISE_BOX)
 
 
-def _balls(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Section:
-    entries: list[Entry] = []
+def _balls(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Iterator[Entry]:
     for name, ball in scenario.balls.items():
         pose = poses[name]
         if pose is None:
-            entries.append(Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}"))
+            yield Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}")
             continue
         at, number = pose[:2], paper.new_number()
         paper.circle(at, ball.radius_m, f'fill="{hex_of(ball.colour)}" stroke="#212529"', name)
         paper.keep_free(at, ball.radius_m)
         reach_px = ball.radius_m * paper.scale * 0.7 + _BESIDE_PX
         paper.mark(at, number, name, _BLACK, offset_px=(-reach_px, -reach_px))
-        entries.append(Entry(f"{name}: {_numbers(at)}", number, _BLACK))
-    return "Balls at the start (m)", entries
+        yield Entry(f"{name}: {_numbers(at)}", number, _BLACK)
 
 
 def _numbers(at: Point) -> str:

@@ -64,7 +64,7 @@ class LiveObserver(Observer):
         self._scenario = scenario
         self._feed = feed
         self._unit_m = _unit_m(scenario)
-        self._half: HalfInfo | None = None
+        self._half: HalfInfo
         self._sensor_feed: HalfSensorFeed | None = None
         self._builder = TimelineBuilder(scenario)
         self._event_facts = EventFacts(scenario, {})
@@ -118,9 +118,7 @@ class LiveObserver(Observer):
     # --- messages ---------------------------------------------------------------------------------------------------
 
     def _send(self, batch: list[_Kept]) -> None:
-        half, entities = self._half, self._entities
-        if half is None:
-            return
+        entities = self._entities
         first, _, start = batch[0]
         numbers = np.frombuffer(b"".join([row for _, row, _ in batch]), "<f4").reshape(len(batch), -1)
         judged = numbers[:, : 3 * entities].reshape(-1, entities, 3).copy()
@@ -130,11 +128,9 @@ class LiveObserver(Observer):
         channels = rounded_poses(judged, heights, uprights, self._unit_m)
         rows = np.stack(list(channels.values()), axis=1).astype("<i2").tobytes()
         news = [self._tick_message(*happened) for _, _, happened in batch if happened is not None]
-        self._feed.append(pose_message(half.half, first, rows) + b"".join(news))
+        self._feed.append(pose_message(self._half.half, first, rows) + b"".join(news))
 
     def _tick_message(self, snapshot: Snapshot, output: RefereeOutput) -> bytes:
-        half = self._half
-        assert half is not None  # noqa: S101 - only called within a half
         events, changes = self._builder.add(
             events_of(snapshot, output), output.firings, output.changes, snapshot.faults
         )
@@ -142,6 +138,6 @@ class LiveObserver(Observer):
             **changes,
             "jumps": {placement.entity: [snapshot.tick] for placement in output.placements if snapshot.tick},
             "faults": fault_facts(snapshot.faults),
-            "events": [self._event_facts.event(event, half.teams) for event in events],
+            "events": [self._event_facts.event(event, self._half.teams) for event in events],
         }
-        return news_message(half.half, news)
+        return news_message(self._half.half, news)

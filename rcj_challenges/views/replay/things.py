@@ -8,7 +8,6 @@ from pydantic import BaseModel
 
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import kit_of
-from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import Zone
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -105,10 +104,7 @@ def _entity(scenario: Scenario, name: str) -> dict[str, Any]:
     if name in scenario.balls:
         ball = scenario.balls[name]
         return {"name": name, "kind": "ball", "radius_m": ball.radius_m, "colour": css_colour(ball.colour)}
-    obstacle = scenario.obstacles[name]
-    if isinstance(obstacle, Wall):  # a roster has movable obstacles only, and a wall is none
-        raise TypeError(f"{name} is a wall and cannot move")
-    return {"name": name, "kind": "obstacle", **_coloured(obstacle)}
+    return {"name": name, "kind": "obstacle", **_coloured(scenario.obstacles[name])}
 
 
 def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
