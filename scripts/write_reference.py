@@ -260,7 +260,7 @@ CHAPTERS = (
     Chapter(
         "Values",
         "A payload or a broadcast may contain literals and any of these values. Wherever a rule has a *number*, it "
-        "may be any of them but `position_of`, `held` and `last_touch`; a flag is 1 or 0. What stands beside such a "
+        "may be any of them but `position_of`, `role` and `last_touch`; a flag is 1 or 0. What stands beside such a "
         "value is described under `otherwise`. What does not exist is *none*: the distance to what is off the field, "
         "a message that never came, the lowest of an empty group. Calculating with none gives none; no comparison "
         "with it holds; an action whose number is none does nothing; programs receive null.",

@@ -291,6 +291,12 @@ def test_what_a_timer_of_each_lasts_is_read_for_each():
     assert "The timer “t” lasts as many s as 1, plus its counter “laps”; there is one for each of the robots." in course
 
 
+def test_what_is_calculated_stands_in_brackets_in_a_list():
+    points = "{highest: [{counter: n, times: 2, plus: 3}, 1]}"
+    rule = f"{IT}, actions: [{{action: score, entrant: blue, points: {points}}}], says: T."
+    assert "the highest of (3, plus 2 times the counter “n”) and 1" in sentence(rule, "counters: {n: {}}")
+
+
 def test_a_timer_of_each_is_its_own():
     more = "timers: {run: {per: entrants}}\ncounters: {run_s: {per: entrants}}"
     counts = "for_each: entrants, triggers: [{trigger: half_ended}], actions: [{action: count, counter: run_s, to: {timer: run}}]"

@@ -7,7 +7,7 @@ from pydantic import Field
 
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.phrasing import listed
-from rcj_challenges.rules.values.number import NUMBERS, Amount, NumberValue, amount_words, read_number, scored
+from rcj_challenges.rules.values.number import NUMBERS, Amount, NumberValue, as_one_number, read_number, scored
 
 _SEVERAL = NUMBERS.beside(
     {},
@@ -49,5 +49,5 @@ class FoldedValue(NumberValue):
     def describe(self, phrases: Phrases) -> str:
         several = self.several()
         if isinstance(several, tuple):
-            return f"the {self.KEY} of {listed([amount_words(phrases, one) for one in several], 'and')}"
+            return f"the {self.KEY} of {listed([as_one_number(phrases, one) for one in several], 'and')}"
         return f"the {self.KEY}{' of the' if self.KEY == 'sum' else ''} {several.describe_each(phrases)}"

@@ -199,11 +199,11 @@ class NumberValue(ValueWord):
         if self.otherwise is not None:
             words += f" ({amount_words(phrases, self.otherwise)} if there is none)"
         if isinstance(self.times, ValueWord):
-            words += f" times {_as_one(phrases, self.times)}"
+            words += f" times {as_one_number(phrases, self.times)}"
         elif self.times is not None:
             words = f"{number(self.times)} times {words}"
-        words += "" if self.plus is None else f", plus {_as_one(phrases, self.plus)}"
-        words += "" if self.minus is None else f", minus {_as_one(phrases, self.minus)}"
+        words += "" if self.plus is None else f", plus {as_one_number(phrases, self.plus)}"
+        words += "" if self.minus is None else f", minus {as_one_number(phrases, self.minus)}"
         rounded = {"down": ", rounded down", "up": ", rounded up", "nearest": ", rounded", None: ""}
         return words + rounded[self.round_]
 
@@ -289,6 +289,7 @@ def takes_away(amount: Any) -> bool:
     return isinstance(amount, NumberValue) and all(term.factor < 0 for term in amount.terms())
 
 
-def _as_one(phrases: Phrases, amount: Amount) -> str:
+def as_one_number(phrases: Phrases, amount: Amount) -> str:
+    """Return a number in words as a part of others: in brackets if it is calculated of several."""
     words = amount_words(phrases, amount)
     return f"({words})" if ", " in words else words

@@ -23,7 +23,7 @@ from rcj_challenges.scenario.messages.wording import format_node, spelled
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence, Timer
-from rcj_challenges.scenario.roster import BOUND, EACH, ENTRANTS, OTHER, OTHERS, Roster, texts, touched
+from rcj_challenges.scenario.roster import BOUND, EACH, ENTRANTS, OTHER, OTHERS, WALLS, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
 from rcj_challenges.scenario.tree import (
     Entries,
@@ -244,6 +244,8 @@ class _Walker:
             help_ = f"what a param holds is written {{param: {name}}}"
         elif name == "this" and path[0] == "rules":
             help_ = "in a rule with repeat_for its name is written {param: this}"
+        elif name == WALLS:
+            help_ = "this field is without walls"
         return codes.UNKNOWN_NAME, f"unknown {reference.noun} '{name[:64]}'{which}", help_
 
     # --- values of draws ----------------------------------------------------------------------------------------------
