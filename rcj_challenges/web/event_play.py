@@ -56,8 +56,7 @@ class _Watch(RunObserver):
     def play(self) -> None:
         """Play all that is not played yet."""
         tournament, store = self.tournament, self.tournament.store
-        teams = tournament.season.teams
-        staying = [one for one in tournament.loaded.entries.values() if not teams[one.id].withdrawn]
+        staying = [one for one in tournament.loaded.entries.values() if not tournament.season.teams[one.id].withdrawn]
         handed = take_submissions(staying, store)
         if other := [one.team for one in handed.values() if one.archive != self.request["hashes"][one.team]]:
             message = f"the archive of {', '.join(other)} is not the one that was frozen"

@@ -339,6 +339,14 @@ def test_event_is_deleted_while_it_has_not_been_played(site: SiteConfig) -> None
     assert (Event.objects.count(), folder.exists(), late.late_for) == (0, False, None)
 
 
+def test_title_of_an_event_can_be_typed_as_it_is_seen(site: SiteConfig) -> None:
+    make_team()
+    client = organizer()
+    client.post("/desk/events/new", {**FORM, "title": "Spring  \t cup"})
+    gone = {"act": "delete", "confirm": "Spring cup"}
+    assert client.post(f"/desk/events/{Event.objects.get().pk}/change", gone).status_code == 302
+
+
 def test_format_that_the_scenario_does_not_have_is_refused(site: SiteConfig) -> None:
     make_team()
     assert organizer().post("/desk/events/new", {**FORM, "first": "challenge"}).status_code == 400

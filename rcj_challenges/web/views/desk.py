@@ -74,7 +74,7 @@ def void_match(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBas
         # All may be played again at this time: then the match is there twice.
         same = Match.objects.filter(basis__season=found.basis.season_id, kind=found.kind, number=found.number)
         seasons.void(same, reason)
-    return done(viewer, "void", found, "/desk" if found.played_at is None else f"/matches/{pk}", reason)
+        return done(viewer, "void", found, "/desk" if found.played_at is None else f"/matches/{pk}", reason)
 
 
 @only("organizer", post=True)

@@ -128,7 +128,7 @@ class EventForm(forms.ModelForm):  # type: ignore[type-arg]  # the class takes n
 
     def clean_title(self) -> str:
         """Return the title without what cannot be shown."""
-        return sanitize(self.cleaned_data["title"], 80)
+        return sanitize(" ".join(self.cleaned_data["title"].split()), 80)
 
     def clean_first(self) -> str:
         """Refuse a format that the scenario of the season does not have."""

@@ -109,4 +109,4 @@ def take_off_stage(request: HttpRequest, viewer: Viewer, pk: int) -> HttpRespons
     found = get_object_or_404(Show, pk=pk)
     with jobs.writing():
         stage.take_off(Show.objects.filter(pk=pk))
-    return done(viewer, "take off stage", found, "desk_stage")
+        return done(viewer, "take off stage", found, "desk_stage")
