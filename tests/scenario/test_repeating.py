@@ -379,3 +379,19 @@ rules:
         "wrong-repeat tables.t.b.y",
         "unknown-param rules.goal.actions[0] (score).entrant -> this",
     ]
+
+
+def test_a_copy_of_each_row_is_named_in_a_column():
+    text = """
+tables: {t: {a: {}, b: {}}}
+zones: {base: {repeat_for: t, shape: circle, centre_m: [0, 0], radius_m: 0.2}}
+rules:
+  goal:
+    repeat_for: t
+    triggers: [{trigger: enters, entity: ball, zone: {param: base}}]
+    actions: [{action: end}]
+"""
+    assert complaints(text) == ["unknown-param rules.goal.triggers[0] (enters).zone"]
+    with pytest.raises(ScenarioError) as caught:
+        loaded(text)
+    assert "base_ROW, in a column" in caught.value.diagnostics[0].help

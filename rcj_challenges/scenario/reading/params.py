@@ -266,6 +266,9 @@ class Resolver:
         known = [*(self.row or ()), *self.params]
         if word := next((word for word in _WORD.findall(name) if word in known and word != name), None):
             return f"a formula is written {{param: {word}, times: 2, plus: 1}}"
+        places = (section.entries for section in self.root.entries.values() if isinstance(section, Entries))
+        if self.row is not None and any(name in entries for entries in places):
+            return f"to name one copy of '{name}' for each row, write its name, {name}_ROW, in a column of the table"
         return choice_of(name, known, "param")
 
     def _add(self, code: Code, path: Path, mark: Mark, message: str, help_: str = "") -> None:
