@@ -158,9 +158,10 @@ def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expect
     """Return the differences from the expectations as data."""
     # A name has no blank and no colon in it.
     differing = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
+    missing = {found[1] for one in differences if (found := _MISSING.match(one))}
     return Wanted(
-        missing=_missing(differences, expected),
-        scores=_scores(match, expected),
+        missing={event.what: event.at_s for event in reversed(expected.events or ()) if event.what in missing},
+        scores={name for name, score in expected.score.items() if not equal(score, match.referee.scores.get(name))},
         entries={(f"{kind}s", name) for kind, name in differing if kind in ("counter", "flag")},
         phase=expected.phase if ("phase", ":") in differing else None,
         over=expected.ended != "none" and ("ended", ":") in differing,
@@ -182,18 +183,6 @@ def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expecta
     if rule is not None:
         at_s = s_from_ticks(match.tick)
         yield f"note: {rule} ended the {what} at {at_s:g} s, and so the test; it lasts {expected.lasts_s:g} s"
-
-
-def _missing(differences: Iterable[str], expected: Expectation) -> dict[str, float | None]:
-    """Return the events and firings that did not come, each with the time in s at which it was expected, if at any."""
-    names = {found[1] for one in differences if (found := _MISSING.match(one))}
-    return {event.what: event.at_s for event in reversed(expected.events or ()) if event.what in names}
-
-
-def _scores(match: ScriptedMatch, expected: Expectation) -> set[str]:
-    """Return the entrants with another score than expected."""
-    scores = match.referee.scores
-    return {name for name, score in expected.score.items() if not equal(score, scores.get(name))}
 
 
 def _course(match: ScriptedMatch, differences: Iterable[str]) -> Iterable[str]:

@@ -17,7 +17,7 @@ from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS, as_tuple
-from rcj_challenges.scenario.rule_effects import roles_in, spots_set_by_rules, with_names
+from rcj_challenges.scenario.rule_effects import roles_in, with_names
 from rcj_challenges.scenario.shapes import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
@@ -58,9 +58,6 @@ class NameScope:
         self.roster = state.roster
         self.named: set[str] = set()
         self.roles: Mapping[str, tuple[str, ...]] = state.roster.roles
-        self._set_by_rules: frozenset[str] = (
-            frozenset(spots_set_by_rules(state.scenario)) if same is None else same._set_by_rules  # noqa: SLF001 - its own class
-        )
         self._members: dict[tuple[Names, str | None, str | None], tuple[str, ...]] = {}
         if same is not None:
             self._members = same._members  # noqa: SLF001 - its own class
@@ -201,9 +198,6 @@ class NameScope:
 
     def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
         spots, members = self.state.spots, self.members(names)
-        points = tuple(spots[name] for name in members)
-        if self._set_by_rules.isdisjoint(members):
-            return lambda: points
         return lambda: tuple(spots[name] for name in members)
 
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
@@ -249,17 +243,14 @@ class NameScope:
         index = self.roster.index.get(name, len(self.state.present))
         return index >= len(self.state.present) or self.state.present[index]
 
-    def _read(self, name: str, resolve: Callable[[str], Callable[[], _T]]) -> Callable[[], _T]:
-        """Return a function that reads something of a name; of a draw's name, of what it has decided."""
-        if name not in self.roster.drawn:
-            return resolve(name)
-        decided = self._decided(name, resolve)
-        return lambda: decided()()  # noqa: PLW0108 - which one is known when it is called
-
     def locate(self, what: Name | Point) -> Callable[[], tuple[float, ...] | None]:
         if isinstance(what, tuple):
             return lambda: what
-        return self._read(self.members(what)[0], self._locate_one)
+        name = self.members(what)[0]
+        if name not in self.roster.drawn:
+            return self._locate_one(name)
+        decided = self._decided(name, self._locate_one)
+        return lambda: decided()()  # noqa: PLW0108 - which one is known when it is called
 
     def _locate_one(self, name: str) -> Callable[[], tuple[float, ...] | None]:
         state, roster, zone = self.state, self.roster, self.scenario.zones.get(name)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from rcj_challenges.chassis.base import Chassis, WheelName, wheel_words
@@ -122,9 +122,8 @@ def _chassis(paper: Paper, chassis: Chassis, guideline: Guideline, at: Pose2) ->
     ]
 
 
-def _devices(paper: Paper, design: Design, costs: dict[str, int], at: Pose2) -> list[Entry]:
+def _devices(paper: Paper, design: Design, costs: dict[str, int], at: Pose2) -> Iterator[Entry]:
     """Draw the devices where they sit, and what they look at; those that may sit anywhere are only in the legend."""
-    entries: list[Entry] = []
     wheels: dict[WheelName, Point] = {wheel.name: (wheel.x_m, wheel.y_m) for wheel in design.chassis.wheels()}
     for name, device in design.devices.items():
         wheel: WheelName | None = getattr(device, "wheel", None)
@@ -136,8 +135,7 @@ def _devices(paper: Paper, design: Design, costs: dict[str, int], at: Pose2) -> 
             paper.mark(spot, number, name, _MARKER)
         kind = device.name().replace("_", " ") + ("" if wheel is None else f" of {wheel_words(wheel)}")
         points = f", {costs[name]}" if costs.get(name) else ""
-        entries.append(Entry(f"{name}: {kind}{points}" if name != kind else f"{name}{points}", number, _MARKER))
-    return entries
+        yield Entry(f"{name}: {kind}{points}" if name != kind else f"{name}{points}", number, _MARKER)
 
 
 def _draw_view(paper: Paper, device: Device, name: str, at: Pose2) -> None:

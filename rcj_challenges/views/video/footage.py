@@ -27,7 +27,7 @@ from rcj_challenges.views.naming import titles
 from rcj_challenges.views.replay.events import EventFacts
 from rcj_challenges.views.replay.packing import frames_of, length_unit, units
 from rcj_challenges.views.replay.things import bodies_in, visible_things
-from rcj_challenges.views.standing import counted_line, shows_score
+from rcj_challenges.views.standing import counted_line
 from rcj_challenges.views.timeline import Timeline, timeline_of
 
 Poses = npt.NDArray[np.float64]
@@ -161,11 +161,6 @@ class Footage:
         start = {info.teams[seat]: points for seat, points in info.scores.items()}
         points = _latest(self.timeline.halves[info.half].changes["score_changes"], half.tick_at(t_s), start)
         return {team: points.get(team, 0) for team in self.titles}
-
-    @property
-    def shows_score(self) -> bool:
-        """Whether there are points to show."""
-        return shows_score(self.scenario)
 
     def counted(self, half: HalfFootage, t_s: float) -> tuple[str, ...]:
         """Return the counters that the ranking compares at a time of a half, a line for each team."""

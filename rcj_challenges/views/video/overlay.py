@@ -10,6 +10,7 @@ from PIL import Image, ImageDraw
 from rcj_challenges.core.amounts import number_words
 from rcj_challenges.views.palette import PALETTE, Rgb, rgb, text_on
 from rcj_challenges.views.sentences import clock
+from rcj_challenges.views.standing import shows_score
 from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.text import line_height_px, text_mask, text_width_px
@@ -78,7 +79,7 @@ class Overlay:
         room = (bar.width - 2 * edge) / max(len(scores), 1)
         pieces: list[tuple[Image.Image, Rgb | None]] = []
         for place, (team, points) in enumerate(scores):
-            number = number_words(points) if self._footage.shows_score else ""
+            number = number_words(points) if shows_score(self._footage.scenario) else ""
             own = [(text_mask(number, self._text_px, bold=True), WHITE)] if number else []
             chip = self._chip(half, team)
             name_px = room - chip.width - sum(mask.width for mask, _ in own) - 3 * self._gap
