@@ -57,7 +57,6 @@ class Roster:
         kinds: what each name on the field is: ``robot``, ``ball``, ``obstacle`` (movable), ``fixed obstacle``,
             ``walls``, ``zone``, ``gate`` or ``spot``.
         sections: section to the names that it defines.
-        colours: the groups of robots by their colour.
         teams: entrant to its robots, which it stands for where things are asked for; so does the group ``entrants``.
         roles: role to its members.
     """
@@ -71,7 +70,6 @@ class Roster:
     drawn: dict[str, tuple[str, ...]]
     kinds: dict[str, str]
     sections: dict[str, tuple[str, ...]]
-    colours: tuple[str, ...]
     teams: dict[str, tuple[str, ...]]
     roles: dict[str, tuple[str, ...]]
 
@@ -242,7 +240,6 @@ def _roster(
     for name, colour in colours.items():
         if colour not in kinds:  # which is an error
             groups[colour] = (*groups.get(colour, ()), name)
-    by_colour = tuple(name for name in groups if name not in ALWAYS)
     known = {name: members for name, members in groups.items() if name not in parts}
     groups |= {name: _members(name, parts, known) for name in parts}
     on_field = {*things, *groups, *kinds}
@@ -260,7 +257,6 @@ def _roster(
         },
         kinds=kinds,
         sections=sections,
-        colours=by_colour,
         teams=teams,
         roles={role: _each_once(names, {**groups, ENTRANTS: tuple(teams)}) for role, names in roles.items()},
     )

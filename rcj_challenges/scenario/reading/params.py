@@ -97,9 +97,8 @@ def _refused(message: str, help_: str = "") -> ScenarioError:
 def _steps(text: str, root: Entries) -> list[str]:
     steps = re.findall(r"[^.\[\]]+", text)
     if not _PATH.fullmatch(text) or len(steps) > 30:
-        raise _refused(
-            f"'{text}' is not a path", "write names with dots and list entries with [0]: rules.goal.actions[0]"
-        )
+        help_ = "write names with dots and list entries with [0]: rules.goal.actions[0]"
+        raise _refused(f"'{text}' is not a path", help_)
     first, params = steps[0], params_of(root)
     if len(steps) == 1 and first in params:
         return ["params", first]
@@ -123,15 +122,13 @@ def _set(root: Entries, steps: list[str], value: Node, mark: Mark, merger: Merge
         is_last = len(path) == len(steps) - 1
         if isinstance(above, Items):
             if not step.isdecimal() or int(step) >= len(above.items):
-                raise _refused(
-                    f"{here} is a list and has no '{step}'", f"its entries are [0] to [{len(above.items) - 1}]"
-                )
+                help_ = f"its entries are [0] to [{len(above.items) - 1}]"
+                raise _refused(f"{here} is a list and has no '{step}'", help_)
             path, inner = (*path, int(step)), step_into(shape, above, int(step))
             if is_last and isinstance(value, Leaf) and value.value is None:
                 raise _refused("null removes named entries only", f"set the whole list {here}")
             if is_last:
                 above.items[int(step)] = merger.adopt(value, inner, path)
-                return
             node = above.items[int(step)]
         elif isinstance(above, Entries):
             path, inner = (*path, step), step_into(shape, above, step)
