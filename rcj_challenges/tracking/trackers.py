@@ -237,9 +237,17 @@ class TrackerManager:
         for (x_low, x_high, y_low, y_high), *way in zip(self._cells, *substeps, strict=True):
             for x, y, _ in way:
                 if not (x_low < x < x_high and y_low < y < y_high):
-                    cells = enumerate(self._cells)
-                    return [entity for entity, cell in cells if not _stayed(cell, entity, substeps)]
+                    return self._all_that_left(substeps)
         return ()
+
+    def _all_that_left(self, substeps: list[list[Pose2]]) -> list[int]:
+        found = {
+            entity
+            for poses in substeps
+            for entity, ((x_low, x_high, y_low, y_high), (x, y, _)) in enumerate(zip(self._cells, poses, strict=True))
+            if not (x_low < x < x_high and y_low < y < y_high)
+        }
+        return sorted(found)
 
     def _advance_all(self, entities: Sequence[int], substeps: list[list[Pose2]], *, all_of_it: bool) -> None:
         """Let the trackers whose own cell was left (or all) follow the way of these entities."""
