@@ -295,6 +295,7 @@ def test_keys_move_by_frames_seconds_events_and_to_the_ends(show: Callable[..., 
     ):  # fmt: skip
         page.keyboard.press(key)
         assert shown_moment(page) == expected, key
+    until(page, "location.hash === '#h1t0'")
     page.evaluate("location.hash = '#h2t77'")
     until(page, "replay.half === 2 && replay.tick === 77")
     page.keyboard.press(".")
