@@ -5,7 +5,6 @@ from __future__ import annotations
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
-from urllib.request import urlopen
 
 import typer
 
@@ -199,6 +198,8 @@ def rate(
 def _read(results: str) -> bytes:
     try:
         if results.startswith(("http://", "https://")):
+            from urllib.request import urlopen  # noqa: PLC0415 - 10 ms, which each command would take longer to start
+
             with urlopen(results, timeout=_TIMEOUT_S) as answer:  # noqa: S310 - of these two kinds
                 return bytes(answer.read())
         return Path(results).read_bytes()
