@@ -198,7 +198,7 @@ def rate(
 def _read(results: str) -> bytes:
     try:
         if results.startswith(("http://", "https://")):
-            from urllib.request import urlopen  # noqa: PLC0415 - 10 ms, which each command would take longer to start
+            from urllib.request import urlopen
 
             with urlopen(results, timeout=_TIMEOUT_S) as answer:  # noqa: S310 - of these two kinds
                 return bytes(answer.read())

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import http.client
 import json
 import os
 import time
+from http import HTTPStatus
 from pathlib import Path
 from typing import Annotated, Any
 from urllib.parse import urlsplit
@@ -136,13 +136,15 @@ class _Site:
     def _request(
         self, method: str, path: str, body: bytes | None = None, headers: dict[str, str] | None = None
     ) -> dict[str, Any]:
-        kind = http.client.HTTPSConnection if self._parts.scheme == "https" else http.client.HTTPConnection
+        from http.client import HTTPConnection, HTTPException, HTTPSConnection
+
+        kind = HTTPSConnection if self._parts.scheme == "https" else HTTPConnection
         connection = kind(self._parts.hostname or "", self._parts.port, timeout=_TIMEOUT_S)
         try:
             connection.request(method, self._parts.path.rstrip("/") + path, body, {**self._headers, **(headers or {})})
             answer = connection.getresponse()
             text = answer.read(10_000_000)
-        except (OSError, http.client.HTTPException) as error:
+        except (OSError, HTTPException) as error:
             message = f"{sanitize(self._address)} cannot be reached: {format_error(error)}"
             raise RcjError(
                 message, "check the address; nothing was handed in unless there was a receipt", code=SITE_UNREACHABLE
@@ -155,9 +157,9 @@ class _Site:
             data = {"message": text.decode("utf-8", "replace")}
         if not isinstance(data, dict):
             data = {}
-        if answer.status == http.client.UNAUTHORIZED:
+        if answer.status == HTTPStatus.UNAUTHORIZED:
             raise RcjError("the site does not know this code", "compare it with the card", code=WRONG_CARD)
-        if answer.status >= http.client.BAD_REQUEST:
+        if answer.status >= HTTPStatus.BAD_REQUEST:
             why = sanitize(data.get("message", data.get("detail", "")), 300) or answer.reason
             raise RcjError(f"the site did not take it: {why}", "see the message; then try again", code=NOT_TAKEN)
         return data
