@@ -158,7 +158,7 @@ class _Site:
         if not isinstance(data, dict):
             data = {}
         if answer.status == HTTPStatus.UNAUTHORIZED:
-            raise RcjError("the site does not know this code", "compare it with the card", code=WRONG_CARD)
+            raise RcjError("the site refuses this code", "compare it with the card", code=WRONG_CARD)
         if answer.status >= HTTPStatus.BAD_REQUEST:
             why = sanitize(data.get("message", data.get("detail", "")), 300) or answer.reason
             raise RcjError(f"the site did not take it: {why}", "see the message; then try again", code=NOT_TAKEN)
