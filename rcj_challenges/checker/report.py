@@ -66,7 +66,7 @@ class MatchReport(Part):
     """One short match."""
 
     seats: list[str] = described("where the team played")
-    opponents: dict[str, str] = described("who played in the other seats")
+    opponents: dict[str, str] = described("what played in the other seats")
     score: dict[str, int | float] = described("points by seat")
     simulated_s: float = described("how long was played in s", ge=0)
     wall_s: float = described("how long that took in s", ge=0)

@@ -49,7 +49,7 @@ class Referee:
     Attributes:
         scores: points by entrant, as seated in this half.
         counters, flags: by name, those kept per entity as a mapping; None: it has no value.
-        draws: what the draws decided, and who has the roles, by name; None: nothing.
+        draws: what the draws decided, and the holders of the roles, by name; None: nothing.
         spots: where the spots are now, by name: [x, y] in m.
         rounds: in which rules fire.
         ranked: returns the values by which entrants are ranked, as `RankedValues.read`.

@@ -16,7 +16,7 @@ class Assign(Action):
     role: Annotated[Name, WRITTEN_ROLE] = described(..., "the role")
     to: Annotated[Value, DrawnValue(is_set=True)] = described(
         "next",
-        "who has it from now on: next: the next in its order; the name of a member; each, other, of two entrants "
+        "its holder from now on: next: the next in its order; the name of a member; each, other, of two entrants "
         "others; none: it stands for nothing; or a value that is a name, such as {last_touch: ball}: if that is no "
         "member's, nothing changes",
     )

@@ -105,9 +105,9 @@ class ScoresOnce(LintRule, code="scores-once"):
                 continue
             for trigger, path in triggers_in(name, rule):
                 match trigger.moment():
-                    case effects.Entry(who) | effects.Exit(who) | effects.Crossing(who):
-                        if who not in ctx.roster.roles and len(ctx.members(who, rule)) > 1:
-                            yield self.at(path, group=listing(as_tuple(who)))
+                    case effects.Entry(moved) | effects.Exit(moved) | effects.Crossing(moved):
+                        if moved not in ctx.roster.roles and len(ctx.members(moved, rule)) > 1:
+                            yield self.at(path, group=listing(as_tuple(moved)))
 
 
 class EachOfNone(LintRule, code="each-of-none"):

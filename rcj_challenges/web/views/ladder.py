@@ -159,7 +159,7 @@ _SHOWN = 20
 
 @only("team")
 def practice(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
-    """Show the practice of a team, and whom it can play against."""
+    """Show the practice matches of a team, and the opponents that it can choose."""
     entry, either = _entry(viewer), Q(blue__team=viewer.team) | Q(yellow__team=viewer.team)
     theirs = seasons.with_sides(Match.objects.filter(either, kind=MatchKind.PRACTICE))
     values: dict[str, Any] = {"season": seasons.running(), "opponents": _opponents(entry) if entry else ()}
