@@ -19,8 +19,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from typer import Typer
-
     from rcj_challenges.core.errors import RcjError
 
 OK = 0
@@ -74,9 +72,9 @@ def _exit_code(handled: list[int], on_error: Callable[[RcjError], None] | None) 
             detect_closed_pipes()
         replace_unencodable()
         _speed_up_start()
-        from rcj_challenges.cli.commands import app
+        from rcj_challenges.cli.commands import load_app
 
-        code = _with_one_command(app, sys.argv[1:2])(standalone_mode=False, obj=begun)
+        code = load_app(*sys.argv[1:2])(standalone_mode=False, obj=begun)
         sys.stdout.flush()
     except BrokenPipeError:
         discard_output(sys.stdout)  # the reader of our output has closed it
@@ -206,16 +204,6 @@ def _speed_up_start() -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     # Imports make tens of thousands of objects that stay: to look for garbage among them again and again is in vain.
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS, *gc.get_threshold()[1:])
-
-
-def _with_one_command(app: Typer, asked: list[str]) -> Typer:
-    """The app with the requested command alone, if it has it: to read the options of all of them takes 30 ms."""
-    import copy
-
-    named = [one for one in app.registered_commands if [one.name or getattr(one.callback, "__name__", "")] == asked]
-    quick = copy.copy(app)
-    quick.registered_commands, quick.registered_groups = named, []
-    return quick if named else app
 
 
 def _usage_error(error: BaseException) -> int | None:

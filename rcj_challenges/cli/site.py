@@ -23,7 +23,7 @@ site_app = App(
     "rcj-challenge site init club",
     "rcj-challenge site serve club",
 )
-app.add_typer(site_app, rich_help_panel=ORGANIZE)
+app.add_typer(site_app, name="site", rich_help_panel=ORGANIZE)
 
 _DEMO_TEAMS = 4
 _TIMEOUT_S = 60

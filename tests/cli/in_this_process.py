@@ -14,7 +14,7 @@ from rcj_challenges import cli
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.discovery import name_submissions
 from rcj_challenges.checker.report import FileReport
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.scenario.load import Loaded
 
@@ -50,7 +50,7 @@ def played_one_after_the_other(jobs: Sequence[Job], at_once: int, on_done: Calla
     outcomes = []
     for job in jobs:
         with redirect_stdout(io.StringIO()) as printed:
-            assert app(["run", *job.arguments, "--seed", str(job.seed), "--json"], standalone_mode=False) == 0
+            assert load_app()(["run", *job.arguments, "--seed", str(job.seed), "--json"], standalone_mode=False) == 0
         outcomes.append(Outcome(job, json.loads(printed.getvalue())))
         on_done(outcomes[-1])
     return outcomes

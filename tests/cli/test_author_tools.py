@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.cli.draw import draw
 from rcj_challenges.cli.sheet import sheet as write_sheet
 from rcj_challenges.cli.stdio import shell_quoted
@@ -41,7 +41,7 @@ expect:
 
 def call(*arguments: str | Path):
     """Run the command line in this process."""
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+    return CliRunner().invoke(load_app(), [str(argument) for argument in arguments])
 
 
 @pytest.fixture
@@ -381,9 +381,9 @@ def test_the_tools_of_authors_load_no_physics(tmp_path):
     program = """
 import sys
 from typer.testing import CliRunner
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 for arguments in (["new", "it"], ["validate", "it.yaml"], ["test", "it.yaml"], ["draw", "it.yaml"], ["sheet", "it.yaml"]):
-    done = CliRunner().invoke(app, arguments)
+    done = CliRunner().invoke(load_app(), arguments)
     assert done.exit_code == 0, (arguments, done.exception)
     print(arguments[0], *sorted({"mujoco", "numpy", "scipy", "multiprocessing"} & set(sys.modules)))
 """

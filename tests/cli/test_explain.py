@@ -6,13 +6,13 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.cli.explain import all_codes, explain
 from rcj_challenges.core.errors import RcjError
 
 
 def call(*arguments: str):
-    return CliRunner().invoke(app, arguments)
+    return CliRunner().invoke(load_app(), arguments)
 
 
 def test_page_of_a_code_has_its_meaning_and_its_help():
@@ -35,7 +35,7 @@ def test_unknown_code_names_the_nearest():
 
 
 def test_pages_name_only_commands_that_exist():
-    commands = typer.main.get_command(app).commands
+    commands = typer.main.get_command(load_app()).commands
     tournament = commands["tournament"].commands
     pages = [code.page for code in all_codes().values()]
     named = {found for page in pages for found in re.findall(r"rcj-challenge ([a-z]\S*) ?(\S*)", page)}

@@ -9,7 +9,7 @@ import pytest
 from typer.main import get_command
 
 from rcj_challenges.cli.app import ORGANIZE, PLAY, SUBMIT, WATCH, WRITE
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.cli.options import parse_duration
 from rcj_challenges.cli.team_args import locate_team, path_or_sample_team
 from rcj_challenges.core.diagnostics import DiagnosticError
@@ -19,7 +19,7 @@ from rcj_challenges.scenario.resources import shipped_teams
 
 def commands(group=None, words=()):
     """Yield each command that is listed with the words by which it is called."""
-    group = get_command(app) if group is None else group
+    group = get_command(load_app()) if group is None else group
     for name, command in group.commands.items():
         if hasattr(command, "commands"):
             yield from commands(command, (*words, name))
@@ -35,7 +35,7 @@ def help_of(command):
 
 
 def test_commands_of_a_tournament_are_listed_in_groups_with_examples():
-    group = get_command(app).commands["tournament"]
+    group = get_command(load_app()).commands["tournament"]
     text = help_of(group)
     assert [heading for heading in (PLAY, WATCH, ORGANIZE, "Examples") if f"\n{heading}:\n" not in text] == []
     assert "\nCommands:\n" not in text
@@ -58,7 +58,7 @@ def test_help_of_a_command_has_an_example_and_no_type_names(name):
 
 
 def test_commands_are_listed_in_groups():
-    root = get_command(app)
+    root = get_command(load_app())
     text = help_of(root)
     headings = [line.rstrip(":") for line in text.splitlines() if line.endswith(":") and not line.startswith(" ")]
     assert headings == ["Options", PLAY, WATCH, WRITE, SUBMIT, ORGANIZE, "Examples"]
@@ -130,7 +130,7 @@ def test_a_misspelt_team_is_met_with_the_nearest_name(tmp_path, monkeypatch):
 
 def test_the_list_of_teams_names_each_with_a_sentence(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    app(["teams"], standalone_mode=False)
+    load_app()(["teams"], standalone_mode=False)
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 80
     listed = dict(line.split(maxsplit=1) for line in lines if not line.startswith(" "))

@@ -37,7 +37,7 @@ def interrupted(folder: Path, module: str, *arguments: str) -> subprocess.Comple
     "module",
     [
         "rcj_challenges.cli.stdio",
-        "rcj_challenges.cli.video",
+        "rcj_challenges.cli.run",
     ],
 )
 def test_while_the_command_line_is_loaded(tmp_path: Path, module: str) -> None:

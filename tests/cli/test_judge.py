@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from tests.cli.conftest import ONE_ROBOT, STAND
 
@@ -35,7 +35,7 @@ def records(tmp_path_factory):
     teams = ["--blue", str(team), "--yellow", str(team), "--team-name", "blue=Hanse", "--team-name", "yellow=Alster"]
     runs = folder / "runs"
     arguments = ["run", str(folder / "gift.yaml"), *teams, *ONE_ROBOT, "--quiet", "--no-replay", "--out", str(runs)]
-    assert app(arguments, standalone_mode=False) == 0
+    assert load_app()(arguments, standalone_mode=False) == 0
     return runs
 
 
@@ -46,7 +46,7 @@ def judge(records, capsys, monkeypatch):
 
     def run(*arguments, runs=records):
         capsys.readouterr()
-        code = app(["judge", *map(str, arguments), "--runs", str(runs)], standalone_mode=False)
+        code = load_app()(["judge", *map(str, arguments), "--runs", str(runs)], standalone_mode=False)
         return code, capsys.readouterr().out
 
     return run
@@ -173,7 +173,7 @@ def test_files_in_records_are_taken_for_them_and_a_problem_names_the_folder(judg
 def test_of_several_the_others_are_judged_where_one_cannot_be(judge, records, capsys):
     (record,) = records.iterdir()
     capsys.readouterr()
-    code = app(["judge", str(record), "none", "--runs", str(records)], standalone_mode=False)
+    code = load_app()(["judge", str(record), "none", "--runs", str(records)], standalone_mode=False)
     printed = capsys.readouterr()
     assert code == 2
     assert "Hanse 0 : 1 Alster" in printed.out

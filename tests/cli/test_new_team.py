@@ -5,7 +5,7 @@ import json
 import pytest
 
 from rcj_challenges.checker.designs import check_designs
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs.debugging import PORT
 from rcj_challenges.scenario.designs import judge_designs
@@ -17,7 +17,7 @@ from tests.scenario.test_designs import documented_guideline
 
 
 def new(*words):
-    return app(["new", *map(str, words)], standalone_mode=False)
+    return load_app()(["new", *map(str, words)], standalone_mode=False)
 
 
 @pytest.fixture

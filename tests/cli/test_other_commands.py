@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
@@ -22,7 +22,7 @@ BALL_CHASER = Path(__file__).parents[2] / "examples/teams/ball_chaser"
 
 
 def run(*arguments):
-    return app(list(map(str, arguments)), standalone_mode=False)
+    return load_app()(list(map(str, arguments)), standalone_mode=False)
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges import cli
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.app import app
 from rcj_challenges.scenario import models
 
 

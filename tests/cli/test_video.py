@@ -6,14 +6,14 @@ import av
 import pytest
 from PIL import Image
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.views.video import make, packages
 from tests.made_up_runs import write_made_up_run
 
 
 def run(*arguments):
-    return app(list(map(str, arguments)), standalone_mode=False)
+    return load_app()(list(map(str, arguments)), standalone_mode=False)
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.cli.simulate import rank_summary
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
@@ -23,7 +23,7 @@ BY_TIME = [{"word": "time_s", "plus": FOULS_AND_FALLS, "better": "less"}]
 
 
 def run(*arguments):
-    return app(list(map(str, arguments)), standalone_mode=False)
+    return load_app()(list(map(str, arguments)), standalone_mode=False)
 
 
 def criteria(rank):

@@ -6,7 +6,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rcj_challenges.checker.designs import check_designs
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.match.designs import with_designs
 from rcj_challenges.match.rejudge import differences, recorded, rejudge
@@ -130,7 +130,7 @@ def test_record_is_judged_and_played_again_with_the_designs_of_both_halves(playe
     _, events = recorded(trajectory, read_referee_log(outcome.folder), read_result(outcome.folder).score)
     assert differences(events, rejudge(trajectory, scenario).events) == []
     given = [word for team in teams.values() for word in ("--team", str(team.source))]
-    done = CliRunner().invoke(app, ["verify", str(outcome.folder), *given])
+    done = CliRunner().invoke(load_app(), ["verify", str(outcome.folder), *given])
     assert done.exit_code == 0
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.match.sensor_recording import LogTail
 from rcj_challenges.records.sensors import read_sensors
 from tests.match.playing import alone
@@ -102,12 +102,12 @@ def test_each_half_has_a_recording_with_its_own_output(play, team_folder) -> Non
 
 def test_the_command_line_records_sensors_on_request(tmp_path) -> None:
     arguments = ["run", "match", "--halves", "1", "--duration", "1", "--quiet", "--out", str(tmp_path)]
-    assert CliRunner().invoke(app, [*arguments, "--record", "sensors"]).exit_code == 0
+    assert CliRunner().invoke(load_app(), [*arguments, "--record", "sensors"]).exit_code == 0
     (folder,) = tmp_path.iterdir()
     assert len(read_sensors(folder)[1].robots) == 6
     page = (folder / "replay.html").read_text("utf-8")
     assert 'id="sensors-1"' in page
-    assert CliRunner().invoke(app, [*arguments, "--record", "everything"]).exit_code == 2
+    assert CliRunner().invoke(load_app(), [*arguments, "--record", "everything"]).exit_code == 2
 
 
 @pytest.mark.parametrize("letters", [1, 65_535, 65_536, 65_537, 3 * 65_536, 200_001])

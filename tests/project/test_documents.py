@@ -10,7 +10,7 @@ import pytest
 import typer.main
 import yaml
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.md")])
@@ -81,7 +81,7 @@ def test_every_decision_is_in_the_index():
         assert f"| {number} | [{title}]({record.name}) |" in index
 
 
-COMMANDS = typer.main.get_command(app).commands
+COMMANDS = typer.main.get_command(load_app()).commands
 
 
 @pytest.mark.parametrize("name", COMMANDS)

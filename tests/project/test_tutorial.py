@@ -6,7 +6,7 @@ import shlex
 import pytest
 import typer.main
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.cli.new import new
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
@@ -19,7 +19,7 @@ TEXT = PAGE.read_text(encoding="utf-8")
 STEPS = list(steps(TEXT))
 COMMANDS = [step.command for step in STEPS if step.command.startswith("rcj-challenge")]
 COMPARE = next(line for line in TEXT.splitlines() if line.startswith("    rcj-challenge compare"))
-GROUP = typer.main.get_command(app)
+GROUP = typer.main.get_command(load_app())
 
 
 @pytest.mark.parametrize("command", [*COMMANDS, COMPARE])

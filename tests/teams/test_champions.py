@@ -11,7 +11,7 @@ import sys
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.scenario.resources import teams_folder
 from scripts.copy_library import stale_copies
 
@@ -28,7 +28,7 @@ def play(tmp_path):
     """Return a function that plays a challenge with its sample team and returns the result."""
 
     def run(name: str, *options: str) -> dict:
-        done = CliRunner().invoke(app, ["run", name, "--out", str(tmp_path), "--json", "--no-replay", *options])
+        done = CliRunner().invoke(load_app(), ["run", name, "--out", str(tmp_path), "--json", "--no-replay", *options])
         assert done.exit_code == 0, done.exception
         return json.loads(done.stdout)
 

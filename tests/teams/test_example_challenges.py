@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from tests.teams.test_workshop import AT_RANDOM
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -21,7 +21,7 @@ def play(tmp_path):
     def run(name: str, *options: str) -> dict:
         scenario = ROOT / "scenarios" / "examples" / f"{name}.yaml"
         out = ("--out", str(tmp_path), "--json", "--no-replay")
-        done = CliRunner().invoke(app, ["run", str(scenario), *out, *options])
+        done = CliRunner().invoke(load_app(), ["run", str(scenario), *out, *options])
         assert done.exit_code == 0, done.exception
         return json.loads(done.stdout)
 

@@ -10,7 +10,7 @@ import yaml
 from typer.testing import CliRunner
 
 from rcj_challenges.checker.designs import check_designs
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.scenario.designs import judge_designs
 from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.load import load
@@ -70,7 +70,7 @@ def test_a_team_beats_robots_that_drive_at_random(tmp_path, name):
     (tmp_path / "chance.py").write_text(AT_RANDOM, encoding="utf-8")
     teams = ("--blue", str(TEAMS / name), "--yellow", str(tmp_path / "chance.py"))
     record = ("--out", str(tmp_path / "runs"), "--json", "--no-replay")
-    done = CliRunner().invoke(app, ["run", "workshop", *teams, *record, "--seed", "1", "--duration", "90"])
+    done = CliRunner().invoke(load_app(), ["run", "workshop", *teams, *record, "--seed", "1", "--duration", "90"])
     result = json.loads(done.stdout)
     assert result["faults"] == []
     assert result["score"]["blue"] > result["score"]["yellow"]

@@ -7,7 +7,7 @@ from io import BytesIO
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.drawing import draw_scenario, png
 
@@ -37,7 +37,7 @@ def test_picture_has_the_words():
 
 def test_missing_font_is_reported(tmp_path, monkeypatch):
     monkeypatch.setattr(png, "written_with", lambda: None)
-    done = CliRunner().invoke(app, ["draw", "match", "--out", str(tmp_path / "field.png")])
+    done = CliRunner().invoke(load_app(), ["draw", "match", "--out", str(tmp_path / "field.png")])
     assert done.exit_code == 0
     assert (tmp_path / "field.png").exists()
     assert "field.png has no words" in done.stderr

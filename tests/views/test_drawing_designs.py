@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.views.drawing.designs import draw_designs
 from tests.scenario.test_designs import design, guideline, judged
@@ -91,7 +91,7 @@ def test_problems_of_a_design_are_in_the_legend():
 @pytest.mark.parametrize("name", WORKSHOP)
 def test_command_draws_the_designs_of_a_team(tmp_path, name):
     out = tmp_path / "design.svg"
-    done = CliRunner().invoke(app, ["draw", "workshop", "--design", str(TEAMS / name), "--out", str(out)])
+    done = CliRunner().invoke(load_app(), ["draw", "workshop", "--design", str(TEAMS / name), "--out", str(out)])
     assert done.exit_code == 0
     picture = ET.fromstring(out.read_text(encoding="utf-8"))
     assert len(titled(picture, "body")) == (2 if name == "workshop_keeper" else 1)
@@ -100,4 +100,4 @@ def test_command_draws_the_designs_of_a_team(tmp_path, name):
 @pytest.mark.parametrize(("scenario", "team"), [("match", "workshop_striker"), ("workshop", "ball_chaser")])
 def test_what_has_no_design_is_not_drawn(scenario, team):
     with pytest.raises(DiagnosticError):
-        app(["draw", scenario, "--design", str(TEAMS / team)], standalone_mode=False)
+        load_app()(["draw", scenario, "--design", str(TEAMS / team)], standalone_mode=False)

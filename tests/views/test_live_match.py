@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.observers import Observer, ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
@@ -210,7 +210,7 @@ def test_options_that_make_no_sense_are_refused(
     options: list[str], why: str, tmp_path: Path, team: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    done = CliRunner().invoke(app, short(team, *options))
+    done = CliRunner().invoke(load_app(), short(team, *options))
     error = done.exception
     code, said = (error.exit_code, str(error)) if isinstance(error, RcjError) else (done.exit_code, done.output)
     assert code == 2

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.commands import load_app
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.views.stats import DEFINITIONS
 from tests.made_up_runs import write_made_up_run
@@ -24,7 +24,7 @@ def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def stats(*arguments: str, out: Path, columns: int = 80) -> tuple[int, str]:
-    result = CliRunner().invoke(app, ["stats", *arguments, "--out", str(out)], env={"COLUMNS": str(columns)})
+    result = CliRunner().invoke(load_app(), ["stats", *arguments, "--out", str(out)], env={"COLUMNS": str(columns)})
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     return result.exit_code, result.stdout

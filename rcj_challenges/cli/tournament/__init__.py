@@ -17,4 +17,4 @@ from rcj_challenges.cli.tournament import judge
 from rcj_challenges.cli.tournament import play_job
 from rcj_challenges.cli.tournament.group import tournament_app
 
-app.add_typer(tournament_app, rich_help_panel=ORGANIZE)
+app.add_typer(tournament_app, name="tournament", rich_help_panel=ORGANIZE)
