@@ -200,7 +200,7 @@ class Joints(Protocol):
     def touched_at(self, robot: int) -> Sequence[float]:
         """Return the bearings at which a robot touched walls, obstacles and robots in this tick, in its frame."""
 
-    def wheel_angle_at(self, robot_name: str, wheel: int) -> int:
+    def wheel_angle_at(self, robot: int, wheel: int) -> int:
         """Return the place of a wheel's angle in `state`; it grows while the wheel drives forward."""
 
 

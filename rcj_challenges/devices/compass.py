@@ -37,7 +37,7 @@ robots:
 
 
 class CompassSensor(Sensor):
-    """The world's +y in the robot's frame: [sin ψ, cos ψ, 0] when level, or [cos θ, 0, sin θ] in the legacy frame."""
+    """The world's +y in the robot's frame: [sin ψ, cos ψ, 0], or [cos θ, 0, sin θ] in the legacy frame."""
 
     def __init__(self, device: CompassDevice, fitted: Fitted, context: SensorContext) -> None:
         super().__init__(fitted.spec)
@@ -46,11 +46,11 @@ class CompassSensor(Sensor):
         self._noise = Noise.of(fitted, context.half) if device.noise_rad else None
 
     def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
-        forward, left, up = pose.north()
+        forward, left = pose.sin, pose.cos
         if self._noise is not None:
             forward, left = _turned(forward, left, self._noise_rad * self._noise.numbers(tick)[0])
         slot = self.slot
-        shown = (left, up, forward) if self._is_legacy else (forward, left, up)
+        shown = (left, 0.0, forward) if self._is_legacy else (forward, left, 0.0)
         values[slot], values[slot + 1], values[slot + 2] = shown
 
 

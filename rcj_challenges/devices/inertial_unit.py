@@ -48,7 +48,7 @@ robots:
 
 
 class InertialUnitSensor(Sensor):
-    """Roll and pitch are 0 while the robot stands."""
+    """Roll and pitch are 0: robots cannot tip (ADR 2)."""
 
     def __init__(self, device: InertialUnitDevice, fitted: Fitted, context: SensorContext) -> None:
         super().__init__(fitted.spec)
@@ -57,10 +57,6 @@ class InertialUnitSensor(Sensor):
         self._drift_radps = device.drift_radps * drawn_once(fitted, context.half) if device.drift_radps else 0.0
 
     def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
-        roll = pitch = 0.0
-        if pose.tipped:
-            down_x, down_y, down_z = pose.rotation[6:9]
-            roll, pitch = math.atan2(down_y, down_z), math.asin(max(-1.0, min(1.0, -down_x)))
         error_rad = self._noise_rad * self._noise.numbers(tick)[0] if self._noise_rad else 0.0
         yaw = math.remainder(pose.yaw + self._drift_radps * tick * TICK_S + error_rad, math.tau)
-        values[self.slot : self.slot + 3] = roll, pitch, yaw
+        values[self.slot : self.slot + 3] = 0.0, 0.0, yaw

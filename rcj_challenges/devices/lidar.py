@@ -139,7 +139,7 @@ class Sector(NamedTuple):
 
 
 class LidarSensor(Sensor):
-    """One scanner. Its plane is level at its height while the robot stands, and tilts with a robot that lies."""
+    """One scanner. Its plane is level at its height."""
 
     BLANK = 0.0  # a cell that the rays have not reached yet; source: reference, 4.2
 
@@ -205,23 +205,14 @@ class LidarSensor(Sensor):
 
     def _measure(self, tick: int, pose: RobotPose, sector: Sector) -> None:
         chosen, forward, left = sector
-        np, device = self._np, self._device
-        self._aim(pose, forward, left)
-        distances = self._fan.cast(len(forward))
+        np, device, fan = self._np, self._device, self._fan
+        fan.origin[:] = (pose.x, pose.y, pose.z + self._above_centre_m)
+        rays = fan.directions[: len(forward)]
+        rays[:, 0] = pose.cos * forward - pose.sin * left
+        rays[:, 1] = pose.sin * forward + pose.cos * left
+        distances = fan.cast(len(forward))
         unseen = (distances < device.min_range_m) | (distances > device.max_range_m)
         if self._noise is not None:
             distances += device.noise_m * self._noise.row(tick)[chosen]
             np.maximum(distances, 0.0, out=distances)
         self._cells[chosen] = np.where(unseen, np.inf, distances)
-
-    def _aim(self, pose: RobotPose, forward: "NDArray[np.float64]", left: "NDArray[np.float64]") -> None:
-        np, origin, rays = self._np, self._fan.origin, self._fan.directions[: len(forward)]
-        if pose.tipped:
-            rotation = np.reshape(pose.rotation, (3, 3))
-            origin[:] = (pose.x, pose.y, pose.z) + self._above_centre_m * rotation[:, 2]
-            rays[:] = np.outer(forward, rotation[:, 0]) + np.outer(left, rotation[:, 1])
-            return
-        origin[:] = (pose.x, pose.y, pose.z + self._above_centre_m)
-        rays[:, 0] = pose.cos * forward - pose.sin * left
-        rays[:, 1] = pose.sin * forward + pose.cos * left
-        rays[:, 2] = 0.0

@@ -52,7 +52,7 @@ class WheelSensor(Sensor):
         super().__init__(fitted.spec)
         self.joints = context.joints
         number = fitted.setup.chassis.number_of(device.wheel)
-        self.row = (self.slot, context.joints.wheel_angle_at(fitted.robot_name, number), device.direction)
+        self.row = (self.slot, context.joints.wheel_angle_at(fitted.robot, number), device.direction)
 
     @classmethod
     def reader(cls, sensors: Sequence[Self]) -> Reader:

@@ -69,11 +69,11 @@ class Cameras:
                 continue
             eye = device.eye
             if number != one.spec.index:
-                if poses.robots[one.robot].parked:
+                if poses.parked[one.robot]:
                     self._deliver(one, number, b"")
                 else:
                     recognizing.append((one, eye))
-            elif poses.robots[one.robot].parked:
+            elif poses.parked[one.robot]:
                 self._deliver(one, number, bytes((1, 0, 0, 0)) + bytes(device.width * device.height))
             else:
                 lens = (eye.width, eye.height, eye.fov_rad, eye.down, eye.height_m)

@@ -23,22 +23,22 @@ from rcj_challenges.robots.sensors import RobotSensors
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.camera_renderer import CameraRenderer
-from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.poses import Poses
 from rcj_challenges.world.rays import WorldRays
+from rcj_challenges.world.world import World
 
 
 class DeviceManager:
     """What programs can read and set, for one half; ``specs`` are by index of the robot, idle ones are absent."""
 
-    def __init__(self, scenario: Scenario, roster: Roster, world: Ground, half: HalfInfo) -> None:
+    def __init__(self, scenario: Scenario, roster: Roster, world: World, half: HalfInfo) -> None:
         """Fit all robots; the world was compiled with the `fixed_rays` of their devices."""
         fitted = fit(scenario, roster)
         robots = driven_robots(scenario, roster)
         self.specs: dict[int, RobotSpec] = robot_specs(scenario, roster, fitted)
         self._poses = Poses(scenario, roster, world)
         self._queues = {robot: Queue() for robot in robots}
-        rays = WorldRays(scenario, roster, world)
+        rays = WorldRays(scenario, world)
         make_sight = cache(partial(CameraRenderer, scenario, roster, world))
         sensors = _make_sensors(fitted, SensorContext(half, rays, self._poses, make_sight))
         self._sensors = {
@@ -72,7 +72,7 @@ class DeviceManager:
         wheels = self._motors[robot]
         for command in motors:
             wheels.command(command)
-        if emissions and not self._poses.robots[robot].parked:
+        if emissions and not self._poses.parked[robot]:
             for device, channel, data in emissions:
                 self._radio.send(robot, device, channel, data, self._tick)
 

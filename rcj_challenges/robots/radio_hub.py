@@ -96,7 +96,7 @@ class RadioHub:
         received: dict[int, str] = {}
         for robot, device in self._referees:
             emitter = self._emitters[robot, device]
-            if poses.robots[robot].parked:
+            if poses.parked[robot]:
                 emitter.clear()
             elif robot not in received and (data := emitter.messages_to_referee(tick)) is not None:
                 received[robot] = message_text(data)

@@ -29,7 +29,7 @@ class TeamRadio:
         for emitter, listeners in self._links:
             if not emitter.waiting:
                 continue
-            if poses.robots[emitter.robot].parked:
+            if poses.parked[emitter.robot]:
                 emitter.clear()
                 continue
             if arriving := emitter.arriving(tick):
@@ -41,9 +41,9 @@ def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list
     for receiver in listeners:
         # Every other receiver is the referee's: whether it listens at all is asked before where it is.
         received = [packet for packet in arriving if receiver.channel in (packet[0], ANY_CHANNEL)]
-        pose = poses.robots[receiver.robot]
-        if not received or not receiver.period_ticks or pose.parked:
+        if not received or not receiver.period_ticks or poses.parked[receiver.robot]:
             continue
+        pose = poses.robots[receiver.robot]
         dx, dy, dz = source.x - pose.x, source.y - pose.y, source.z - pose.z
         square = dx * dx + dy * dy + dz * dz
         if square > min(emitter.range_m, receiver.range_m) ** 2 or square == 0.0:

@@ -23,9 +23,9 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.shapes import SPOT_M, at_start, floor_of, floor_outline, goal_floor
 from rcj_challenges.world.build_field import WALL_THICKNESS_M
-from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.recognition import Recognition
 from rcj_challenges.world.standing import WALL_COLOUR, Point, Prism, colour_digits, things_on_field
+from rcj_challenges.world.world import World
 
 BEYOND, FLOOR, LINE, WALL = range(4)
 _COLOURS = {BEYOND: "#101418", FLOOR: "#2e8054", LINE: "#ffffff", WALL: WALL_COLOUR}
@@ -41,15 +41,15 @@ _REACH_M = 100.0
 class CameraRenderer:
     """Takes the pictures of all cameras of a half."""
 
-    def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
-        self._ground = ground
+    def __init__(self, scenario: Scenario, roster: Roster, world: World) -> None:
+        self._world = world
         self._colours: list[str] = [_COLOURS[number] for number in range(4)]
-        standing = things_on_field(scenario, roster, ground)
-        self._prisms = _Prisms(standing.prisms, ground, roster.entities[: roster.robots], self.number_of)
+        standing = things_on_field(scenario, roster, world)
+        self._prisms = _Prisms(standing.prisms, world, roster.entities[: roster.robots], self.number_of)
         self._discs = [(one, self.number_of(one.colour)) for one in standing.discs]
         self._balls = [(one, self.number_of(one.colour)) for one in standing.balls]
         self._floor = _FloorMap(scenario, self.number_of)
-        self._recognition = Recognition(scenario, roster, ground, standing)
+        self._recognition = Recognition(scenario, roster, world, standing)
 
     @property
     def palette(self) -> list[tuple[int, int, int]]:
@@ -79,8 +79,8 @@ class CameraRenderer:
 
     def _place(self, robot: int, eye: Eye) -> tuple[float, float, float, float]:
         """Return x, y, and the cosine and sine of where an eye looks."""
-        data = self._ground.data
-        body = self._prisms.body_of[robot]
+        data = self._world.data
+        body = self._world.tables.bodies[robot]
         x, y, _ = data.xpos[body].tolist()
         cos, sin = float(data.xmat[body, 0]), float(data.xmat[body, 3])
         c, s = math.cos(eye.bearing_rad), math.sin(eye.bearing_rad)
@@ -96,7 +96,7 @@ class CameraRenderer:
 
     def _disc_spans(self, views: _Views) -> Iterable[_Spans]:
         for disc, colour in self._discs:
-            x, y, _ = self._ground.data.geom_xpos[disc.geom].tolist()
+            x, y, _ = self._world.data.geom_xpos[disc.geom].tolist()
             along, squared = views.towards(x, y)
             inside = disc.radius_m * disc.radius_m * views.lens.squared_all(views.count) - squared
             half = np.sqrt(np.maximum(inside, 0.0))
@@ -108,7 +108,7 @@ class CameraRenderer:
     def _ball_spans(self, views: _Views) -> Iterable[_Spans]:
         eye_m, lengths = views.lens.height_m, views.lens.squared_all(views.count)
         for ball, colour in self._balls:
-            x, y, z = self._ground.data.xpos[ball.body].tolist()
+            x, y, z = self._world.data.xpos[ball.body].tolist()
             along, squared = views.towards(x, y)
             # In the plane of a column the ball is a circle: its middle at (a, up), its radius squared rho2.
             a = along / np.sqrt(lengths)
@@ -227,9 +227,9 @@ class _Prisms:
     """All prisms, their edges side by side."""
 
     def __init__(
-        self, prisms: Sequence[Prism], ground: Ground, robots: Sequence[str], number_of: Callable[[str], int]
+        self, prisms: Sequence[Prism], world: World, robots: Sequence[str], number_of: Callable[[str], int]
     ) -> None:
-        self._ground = ground
+        self._world = world
         prisms = sorted(prisms, key=lambda one: len(one.corners))
         edges = [(one.body, *edge) for one in prisms for edge in _edges(one.corners)]
         self._body = np.array([body for body, *_ in edges])
@@ -241,12 +241,11 @@ class _Prisms:
         self._low = np.array([one.low_m for one in prisms])
         self._high = np.array([one.high_m for one in prisms])
         self._colours = np.array([number_of(one.colour) for one in prisms], np.uint8)
-        self.body_of = [int(ground.model.body(name).id) for name in robots]
         self._prisms_of = [[number for number, one in enumerate(prisms) if one.thing == name] for name in robots]
 
     def spans(self, views: _Views) -> _Spans:
         """Return the spans that they cover; an eye does not see its own robot."""
-        data = self._ground.data
+        data = self._world.data
         body = self._body
         x0, y0, cos, sin = data.xpos[body, 0], data.xpos[body, 1], data.xmat[body, 0], data.xmat[body, 3]
         x, y = x0 + cos * self._x - sin * self._y, y0 + sin * self._x + cos * self._y

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import mujoco
-
+from rcj_challenges.chassis.base import YAW
 from rcj_challenges.devices.poses import NOMINAL_WITHIN_M, RobotPose, Vector
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.tables import turned_at
+from rcj_challenges.world.world import World
 
 BALL_SINKS_M = 0.0001
 """How much lower than its radius the centre of a resting ball is. Source: reference, section 2 (0.0209 for r 0.021)."""
@@ -27,92 +26,45 @@ class Poses:
         parked: by entity, whether it has been taken off the field.
     """
 
-    def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
-        model = ground.model
-        robots = roster.entities[: roster.robots]
-        balls = roster.entities[roster.robots : roster.robots + roster.balls]
-        self._ground = ground
-        self._qpos, self._turned = ground.data.qpos, ground.data.userdata
+    def __init__(self, scenario: Scenario, roster: Roster, world: World) -> None:
+        tables = world.tables
+        self._qpos, self._qvel, self._turned = world.data.qpos, world.data.qvel, world.data.userdata
         self._has_turned = len(self._turned) > 0
-        self._chassis = {name: chassis_of(scenario, name) for name in robots}
-        self.robots = [RobotPose(chassis.height_m / 2) for chassis in self._chassis.values()]
-        self._planar: list[tuple[RobotPose, int]] = []
-        self._free: list[tuple[RobotPose, int]] = []
-        for pose, name in zip(self.robots, robots, strict=True):
-            kind = self._planar if _is_planar(model, name) else self._free
-            kind.append((pose, int(model.jnt_qposadr[model.body(name).jntadr[0]])))
+        self._chassis = [chassis_of(scenario, name) for name in roster.entities[: roster.robots]]
+        self._turned_at = turned_at(self._chassis)
+        self.robots = [RobotPose(chassis.height_m / 2) for chassis in self._chassis]
+        self._robots_at = tables.qpos_at[: roster.robots]
+        self._speeds_at = [int(dofs[0]) for dofs in tables.dofs[: roster.robots]]
+        self.radii_m = [scenario.balls[roster.entities[ball]].radius_m for ball in tables.ball_range]
         self._balls = [
-            (int(model.jnt_qposadr[model.body(name).jntadr[0]]), scenario.balls[name].radius_m - BALL_SINKS_M)
-            for name in balls
+            (tables.qpos_at[ball], radius_m - BALL_SINKS_M)
+            for ball, radius_m in zip(tables.ball_range, self.radii_m, strict=True)
         ]
         self.balls: list[Vector] = [(0.0, 0.0, nominal) for _, nominal in self._balls]
-        self.radii_m = [scenario.balls[name].radius_m for name in balls]
-        self._qvel = ground.data.qvel
-        # Where the speeds along x and y and about z of each robot stand.
-        self._moves = [
-            (first, first + 1, first + (2 if _is_planar(model, name) else 5))
-            for name in robots
-            for first in (int(model.body_dofadr[model.body(name).id]),)
-        ]
         self.state: list[float] = []
-        self.parked: tuple[bool, ...] = (False,) * len(roster.entities)
+        self.parked: Sequence[bool] = world.parked
+        self.touched_at = world.touched_at
 
-    def wheel_angle_at(self, robot_name: str, wheel: int) -> int:
+    def wheel_angle_at(self, robot: int, wheel: int) -> int:
         """Return the place of a wheel's angle in `state`; it grows while the wheel drives forward."""
-        chassis = self._chassis[robot_name]
-        if chassis.MOTOR_JOINT:
-            return len(self._qpos) + turned_at(self._chassis.values())[list(self._chassis).index(robot_name)] + wheel
-        return int(self._ground.model.joint(f"{robot_name}/{chassis.wheels()[wheel].part}").qposadr[0])
+        if self._chassis[robot].MOTOR_JOINT:
+            return len(self._qpos) + self._turned_at[robot] + wheel
+        return self._robots_at[robot] + YAW + 1 + wheel
 
     def velocity(self, robot: int) -> Vector:
         """Return the speed of a robot along x and y of the field, in m/s, and about z, in rad/s."""
-        x, y, about_z = self._moves[robot]
-        return float(self._qvel[x]), float(self._qvel[y]), float(self._qvel[about_z])
-
-    def touched_at(self, robot: int) -> Sequence[float]:
-        """Return the bearings at which a robot touched walls, obstacles and robots in this tick, in its frame."""
-        return self._ground.touched_at(robot)
+        first = self._speeds_at[robot]
+        x, y, about_z = self._qvel[first : first + 3].tolist()
+        return x, y, about_z
 
     def refresh(self) -> None:
         """Read all poses; the world has brought them up to date."""
         self.state = state = self._qpos.tolist()
         if self._has_turned:
             state += self._turned.tolist()
-        for pose, at in self._planar:
+        for pose, at in zip(self.robots, self._robots_at, strict=True):
             pose.x, pose.y, yaw = state[at : at + 3]
             pose.cos, pose.sin = math.cos(yaw), math.sin(yaw)
-        for pose, at in self._free:
-            pose.read(state[at : at + 3], state[at + 3 : at + 7])
         for ball, (at, nominal) in enumerate(self._balls):
             x, y, z = state[at : at + 3]
             self.balls[ball] = (x, y, nominal if abs(z - nominal) < NOMINAL_WITHIN_M else z)
-        parked = tuple(self._ground.parked)
-        if parked != self.parked:
-            self.parked = parked
-            for pose, gone in zip(self.robots, parked, strict=False):
-                pose.parked = gone
-
-
-_PLANAR_JOINTS = (
-    (mujoco.mjtJoint.mjJNT_SLIDE, (1.0, 0.0, 0.0)),
-    (mujoco.mjtJoint.mjJNT_SLIDE, (0.0, 1.0, 0.0)),
-    (mujoco.mjtJoint.mjJNT_HINGE, (0.0, 0.0, 1.0)),
-)
-
-
-def _is_planar(model: mujoco.MjModel, body: str) -> bool:
-    """Return whether a body slides along x and y and turns about z, as in ADR 2; otherwise it moves freely.
-
-    Raises:
-        TypeError: it does neither.
-    """
-    first, count = int(model.body(body).jntadr[0]), int(model.body(body).jntnum[0])
-    joints = tuple(
-        (mujoco.mjtJoint(int(model.jnt_type[joint])), tuple(model.jnt_axis[joint].tolist()))
-        for joint in range(first, first + count)
-    )
-    if joints == _PLANAR_JOINTS:
-        return True
-    if [kind for kind, _ in joints] != [mujoco.mjtJoint.mjJNT_FREE]:
-        raise TypeError(f"body {body!r} moves neither in the plane nor freely")
-    return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from struct import Struct
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import mujoco
 import numpy as np
@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 from rcj_challenges.devices.base import FixedRay
 from rcj_challenges.devices.poses import NOMINAL_WITHIN_M, Vector
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
-from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.tables import one_by_one
+
+if TYPE_CHECKING:
+    from rcj_challenges.world.world import World
 
 _FIELDS = (
     mujoco.mjtRayDataField.mjRAYDATA_DIST,
@@ -63,13 +64,10 @@ def _name(robot_name: str, device_name: str) -> str:
 class WorldRays:
     """The rays of all sensors of a half."""
 
-    def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
-        self._ground = ground
+    def __init__(self, scenario: Scenario, world: World) -> None:
+        self._world = world
         self._tallest_m = max((2 * ball.radius_m for ball in scenario.balls.values()), default=0.0)
-        model = ground.model
-        robot_of_body = {int(model.body(name).id): index for index, name in enumerate(roster.entities[: roster.robots])}
-        roots = model.body_rootid[model.geom_bodyid].tolist()
-        self._robot_of_geom = [robot_of_body.get(root, -1) for root in roots]
+        self._thing_of_geom = world.tables.geom_things.tolist()
         self._groups = _flags((contact.GROUP_FIXTURES, contact.GROUP_CHASSIS, contact.GROUP_WHEELS))
         self._origin, self._along = np.zeros(3), np.zeros(3)
         geom: Any = np.zeros(1, np.int32)
@@ -79,25 +77,25 @@ class WorldRays:
 
     def number_of(self, robot_name: str, device_name: str) -> int:
         """Return the number of a device's fixed ray."""
-        return int(self._ground.model.sensor(_name(robot_name, device_name)).id)
+        return int(self._world.model.sensor(_name(robot_name, device_name)).id)
 
     def fixed(self, height_m: float) -> _FixedRays:
         """Return the fixed rays, for rays at this height."""
-        return _FixedRays(self._ground, self._seen_at(height_m))
+        return _FixedRays(self._world, self._seen_at(height_m))
 
     def fan(self, robot_name: str, height_m: float, max_m: float, rays: int) -> _Fan:
         """Return a fan of a robot at a height, which does not see that robot."""
-        return _Fan(self._ground, robot_name, _flags(self._seen_at(height_m)), max_m, rays)
+        return _Fan(self._world, robot_name, _flags(self._seen_at(height_m)), max_m, rays)
 
     def reaches(self, robot: int, origin: Vector, along: Vector) -> bool:
         """Return whether a ray first meets this robot, or nothing; it passes through balls."""
         source, direction = self._origin_numbers, self._along_numbers
         source[0], source[1], source[2] = origin
         direction[0], direction[1], direction[2] = along
-        ground = self._ground
-        mujoco.mj_ray(ground.model, ground.data, self._origin, self._along, self._groups, 1, -1, self._geom)
+        world = self._world
+        mujoco.mj_ray(world.model, world.data, self._origin, self._along, self._groups, 1, -1, self._geom)
         met = self._met[0]
-        return met < 0 or self._robot_of_geom[met] == robot
+        return met < 0 or self._thing_of_geom[met] == robot
 
     def _seen_at(self, height_m: float) -> tuple[int, ...]:
         """Return the groups of geoms that a horizontal ray at a height meets: fixtures and bodies, never wheels.
@@ -120,14 +118,13 @@ class _FixedRays:
     They cannot select groups, but pass through transparent geoms: for a moment all others are made transparent.
     """
 
-    def __init__(self, ground: Ground, groups: tuple[int, ...]) -> None:
-        self._model, self._data = ground.model, ground.data
+    def __init__(self, world: World, groups: tuple[int, ...]) -> None:
+        self._model, self._data = world.model, world.data
         self._option = self._model.opt
         self._numbers = memoryview(self._data.sensordata).cast("B")
         self._colours = memoryview(self._model.geom_rgba).cast("B")
         self._usual = self._colours.tobytes()
-        # The floor too: a robot that has tipped over may look at it.
-        seen = np.isin(self._model.geom_group, [*groups, contact.GROUP_FLOOR])
+        seen = np.isin(self._model.geom_group, groups)
         masked = self._model.geom_rgba.copy()
         masked[:, 3] = np.where(seen, np.maximum(masked[:, 3], np.float32(0.5)), np.float32(0))
         self._masked = masked.tobytes()
@@ -148,11 +145,11 @@ class _Fan:
     """Rays from one point, cast together."""
 
     def __init__(
-        self, ground: Ground, robot_name: str, groups: NDArray[np.uint8], max_m: float, rays: int
+        self, world: World, robot_name: str, groups: NDArray[np.uint8], max_m: float, rays: int
     ) -> None:  # fmt: skip
         self.origin = np.zeros(3)
         self.directions = np.zeros((rays, 3))
-        self._model, self._data = ground.model, ground.data
+        self._model, self._data = world.model, world.data
         self._groups = groups
         self._max_m = max_m
         self._body = int(self._model.body(robot_name).id)

@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 from rcj_challenges.devices.base import Eye, Rgb, Seen
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.standing import Point, Standing
+from rcj_challenges.world.world import World
 
 Place = tuple[float, float, float, float]
 """x and y of an eye in m, and the cosine and sine of where it looks."""
@@ -80,8 +80,8 @@ class _Spot:
 class Recognition:
     """Recognizes what cameras see."""
 
-    def __init__(self, scenario: Scenario, roster: Roster, ground: Ground, standing: Standing) -> None:
-        self._ground = ground
+    def __init__(self, scenario: Scenario, roster: Roster, world: World, standing: Standing) -> None:
+        self._world = world
         self._half_length_m = scenario.field.length_m / 2
         self._robots = roster.entities[: roster.robots]
         models = {
@@ -103,8 +103,8 @@ class Recognition:
             thing.add(prism.corners, prism.low_m, prism.high_m)
         for disc in standing.discs:
             thing = things[disc.thing]
-            thing.body, thing.rgb = int(ground.model.geom_bodyid[disc.geom]), _rgb(disc.colour)
-            x, y, _ = ground.model.geom_pos[disc.geom].tolist()
+            thing.body, thing.rgb = int(world.model.geom_bodyid[disc.geom]), _rgb(disc.colour)
+            x, y, _ = world.model.geom_pos[disc.geom].tolist()
             thing.add(_circle(x, y, disc.radius_m), 0.0, disc.height_m)
         for ball in standing.balls:
             thing = things[ball.thing]
@@ -114,7 +114,7 @@ class Recognition:
 
     def take(self, eyes: Sequence[tuple[int, Eye, Place]]) -> list[list[Seen]]:
         """Return what each eye recognizes, on the robot of this index, from its place: the nearest first."""
-        poses = self._ground.data.xpos.tolist(), self._ground.data.xmat.tolist()
+        poses = self._world.data.xpos.tolist(), self._world.data.xmat.tolist()
         return [self._seen(_View(eye, place, *poses), self._things[robot], abs(place[1])) for robot, eye, place in eyes]
 
     def _seen(self, view: _View, own: _Thing, eye_y_m: float) -> list[Seen]:

@@ -12,7 +12,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
 from rcj_challenges.world.build_field import FIELD, OBSTACLE
-from rcj_challenges.world.ground import Ground
+from rcj_challenges.world.world import World
 
 Point = tuple[float, float]
 
@@ -74,9 +74,9 @@ def colour_digits(colour: str) -> str:
     return hex_colour(colour) or _USUAL_COLOUR
 
 
-def things_on_field(scenario: Scenario, roster: Roster, ground: Ground) -> Standing:
+def things_on_field(scenario: Scenario, roster: Roster, world: World) -> Standing:
     """Return all that stands on a field."""
-    model = ground.model
+    model = world.model
     box, cylinder = int(mujoco.mjtGeom.mjGEOM_BOX), int(mujoco.mjtGeom.mjGEOM_CYLINDER)
     prisms: list[Prism] = []
     discs: list[Disc] = []
