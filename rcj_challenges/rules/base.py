@@ -371,14 +371,9 @@ class ValueWord(KeyedWord):
 
     UNIT: ClassVar = ""
 
-    def now(self, to: Scope) -> Callable[[], Any]:
-        """Return a function that reads the value, of one that is the same whichever rule fires."""
-        raise NotImplementedError
-
     def read(self, to: Scope) -> Reader:
         """Return a function that reads the value when a rule fires; it can be written as JSON."""
-        read_now = self.now(to)
-        return lambda _firing: read_now()
+        raise NotImplementedError
 
     def describe(self, phrases: Phrases) -> str:
         """Return the value in words: ``whether the flag “out” is set``."""

@@ -1,9 +1,8 @@
 """The value ``count``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope
+from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.facts import Fact, Facts
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.phrasing import listed, quoted
@@ -46,13 +45,13 @@ expect:
         flagged = [] if self.flag is None else [f"marked by the flag {quoted(self.flag)}"]
         return listed(list(filter(None, [super().describe_facts(phrases), *flagged])), "and")
 
-    def now(self, to: Scope) -> Callable[[], int]:
+    def measure(self, to: Scope) -> Reader:
         state, facts = to.state, self.facts(to)
         members, members_now = to.group(self.count)
         index = {member: to.entity(member) for member in members}
         if not facts:
-            return lambda: sum(state.present[index[one]] for one in members_now())  # integers
-        return lambda: sum(all(fact(index[one]) for fact in facts) for one in members_now())  # integers
+            return lambda _firing: sum(state.present[index[one]] for one in members_now())  # integers
+        return lambda _firing: sum(all(fact(index[one]) for fact in facts) for one in members_now())  # integers
 
     def describe(self, phrases: Phrases) -> str:
         facts, group = self.describe_facts(phrases), phrases.all_of(self.count).text.removeprefix("the ")

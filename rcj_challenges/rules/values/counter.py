@@ -1,9 +1,8 @@
 """The value ``counter``."""
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated
 
-from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
+from rcj_challenges.rules.base import Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import COUNTER
@@ -44,9 +43,9 @@ expect:
     SENTENCE = "the counter “goals”"
     COMPARED = "the counter “goals” is less than 5"
 
-    def now(self, to: Scope) -> Callable[[], Number | None]:
+    def measure(self, to: Scope) -> Reader:
         state, name, whose = to.state, self.counter, self.whose(to)
-        return lambda: state.counter(name, whose)
+        return lambda _firing: state.counter(name, whose)
 
     def describe(self, phrases: Phrases) -> str:
         return self.kept_words(phrases)

@@ -63,7 +63,7 @@ expect:
     SENTENCE = "the distance between the ball and the gate “line” in m"
     COMPARED = "all of the blue robots are at least 0.3 m from the ball"
 
-    def unrounded(self, to: Scope) -> Reader:
+    def measure(self, to: Scope) -> Reader:
         here, there = (to.targets(end) for end in self.distance)
         if any(one.place is None for one in here):
             here, there = there, here  # from what is a point to a zone or a gate

@@ -1,6 +1,5 @@
 """The value ``draw``: what a draw decided, where anything, a number or a duration is asked for."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from math import inf
 from typing import Annotated
@@ -43,13 +42,13 @@ expect:
 """
     SENTENCE = "what was drawn as “bonus”"
 
-    def now(self, to: Scope) -> Callable[[], Scalar]:
+    def as_it_is(self, to: Scope) -> Reader:
         draws, name = to.state.draws, self.draw
-        return lambda: draws[name]
+        return lambda _firing: draws[name]
 
     def measure(self, to: Scope) -> Reader:
-        read = self.now(to)
-        return lambda _firing: as_number(read())
+        read = self.as_it_is(to)
+        return lambda firing: as_number(read(firing))
 
     def exactly(self, phrases: Phrases) -> tuple[Scalar, ...]:
         return phrases.draw_values(self.draw)

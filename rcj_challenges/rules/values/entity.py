@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated
 
-from rcj_challenges.rules.base import Binder, Phrases, Scope
+from rcj_challenges.rules.base import Binder, Phrases, Reader, Scope
 from rcj_challenges.rules.facts import Facts
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import number
@@ -56,9 +56,9 @@ expect:
     SENTENCE = "whether Y1 is held"
     COMPARED = "at least 2 of the yellow robots are in the blue penalty area"
 
-    def now(self, to: Scope) -> Callable[[], bool]:
+    def measure(self, to: Scope) -> Reader:
         (entity,), facts = to.entities(self.entity), self.facts(to)
-        return lambda: all(fact(entity) for fact in facts)
+        return lambda _firing: all(fact(entity) for fact in facts)
 
     def fact(self, to: Binder) -> Callable[[], bool | None]:
         """Return the test; None of what is passed over: it is off the field, or what is looked at."""

@@ -1,9 +1,8 @@
 """The value ``flag``."""
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope
+from rcj_challenges.rules.base import Phrases, Reader, Scope, Test
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import number, quoted
 from rcj_challenges.rules.refs import FLAG
@@ -48,7 +47,11 @@ expect:
     COMPARED = "the flag “bonus” is set"
     IS_FACT = True
 
-    def now(self, to: Scope) -> Callable[[], bool]:
+    def measure(self, to: Scope) -> Reader:
+        is_set = self.fact(to)
+        return lambda _firing: is_set()
+
+    def fact(self, to: Scope) -> Test:
         state, name, whose = to.state, self.flag, self.whose(to)
         return lambda: state.flag(name, whose)
 

@@ -1,9 +1,8 @@
 """The value ``last_touch``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope, ValueWord
+from rcj_challenges.rules.base import Firing, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE
 from rcj_challenges.rules.refs import THING
@@ -33,15 +32,15 @@ expect:
 """
     SENTENCE = "the name of the last to touch the ball"
 
-    def now(self, to: Scope) -> Callable[[], str | None]:
+    def read(self, to: Scope) -> Reader:
         contacts, touched = to.contacts, to.thing(self.last_touch)
         contacts.follow_last(touched)
 
-        def read() -> str | None:
+        def name(_firing: Firing) -> str | None:
             robot = contacts.last(touched)
             return None if robot is None else to.name_of(robot)
 
-        return read
+        return name
 
     def describe(self, phrases: Phrases) -> str:
         return f"the name of the last to touch {phrases.thing(self.last_touch)}"

@@ -61,23 +61,23 @@ class NumberValue(ValueWord):
 
     # --- for the referee ----------------------------------------------------------------------------------------------
 
+    def measure(self, to: Scope) -> Reader:
+        """Return a function that reads it as an exact number, without what stands beside it; None: there is none."""
+        raise NotImplementedError
+
     def as_it_is(self, to: Scope) -> Reader:
         """Return a function that reads the value without what stands beside it; it can be written as JSON."""
+        exact = self.measure(to)
         if (digits := self.DIGITS) is None:
-            return super().read(to)
-        exact = self.unrounded(to)
+            return exact
         return lambda firing: None if (number := exact(firing)) is None else round(number, digits)
-
-    def measure(self, to: Scope) -> Reader:
-        """Return a function that reads it as a number, without what stands beside it; None: there is none."""
-        return self.as_it_is(to)
 
     def read(self, to: Scope) -> Reader:
         return compile_amount(self, to) if self.is_computed() else self.as_it_is(to)
 
     def number(self, to: Scope) -> Reader:
         """Return a function that works out the number, not rounded to what scores and counters have; None: none."""
-        measure = self.measure(to)
+        measure = self.measure(to) if self.DIGITS is None else self.as_it_is(to)
         if not self.is_computed():
             return measure
         otherwise = None if self.otherwise is None else read_number(self.otherwise, to)
@@ -101,11 +101,7 @@ class NumberValue(ValueWord):
 
     def exact(self, to: Scope) -> Reader:
         """Return a function that reads the number as it is compared: as measured, unless something stands beside it."""
-        return self.number(to) if self.is_computed() else self.unrounded(to)
-
-    def unrounded(self, to: Scope) -> Reader:
-        """Return a function that measures it, not rounded."""
-        return self.measure(to)
+        return self.number(to) if self.is_computed() else self.measure(to)
 
     def places(self, _to: Scope) -> tuple[int, ...]:
         """Return the entities whose placement changes it."""
@@ -142,7 +138,7 @@ class NumberValue(ValueWord):
 
     def fact(self, to: Binder) -> Callable[[], bool | None]:
         """Return the test of a value that is a fact; None: it is passed over."""
-        return self.now(to)
+        raise NotImplementedError
 
     def about(self) -> Names | None:
         """Return the entities whose place it reads, if it names them."""

@@ -1,9 +1,8 @@
 """The value ``position_of``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope, ValueWord
+from rcj_challenges.rules.base import Firing, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import SEEN
 
@@ -33,14 +32,14 @@ expect:
 """
     SENTENCE = "the position of the ball"
 
-    def now(self, to: Scope) -> Callable[[], list[float] | None]:
+    def read(self, to: Scope) -> Reader:
         locate = to.locate(self.position_of)
 
-        def read() -> list[float] | None:
+        def position(_firing: Firing) -> list[float] | None:
             pose = locate()
             return None if pose is None else [round(number, _DIGITS) for number in pose]
 
-        return read
+        return position
 
     def exactly(self, _phrases: Phrases) -> str:
         return "[x, y, yaw] in m and rad, of a spot [x, y]; null while it is off the field"

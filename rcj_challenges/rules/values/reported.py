@@ -1,6 +1,5 @@
 """The value ``told``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
 from rcj_challenges.core.amounts import round_score
@@ -49,15 +48,15 @@ expect:
 """
     SENTENCE = "what it has told the referee last"
 
-    def now(self, to: Scope) -> Callable[[], str | None]:
+    def as_it_is(self, to: Scope) -> Reader:
         messages, robot = to.state.messages, to.members(self.told)[0]
-        return lambda: messages.get(robot)
+        return lambda _firing: messages.get(robot)
 
     def measure(self, to: Scope) -> Reader:
-        read = self.now(to)
+        read = self.as_it_is(to)
 
-        def read_number(_firing: Firing) -> Number | None:
-            found = number_in(read() or "")
+        def read_number(firing: Firing) -> Number | None:
+            found = number_in(read(firing) or "")
             return None if found is None else round_score(found)
 
         return read_number

@@ -1,10 +1,9 @@
 """The value ``role``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope, ValueWord
-from rcj_challenges.rules.fields import Name, Scalar, described
+from rcj_challenges.rules.base import Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import ROLE
 
@@ -38,9 +37,9 @@ expect:
 """
     SENTENCE = "the name of “hunter”"
 
-    def now(self, to: Scope) -> Callable[[], Scalar | None]:
+    def read(self, to: Scope) -> Reader:
         draws, name = to.state.draws, self.role
-        return lambda: draws[name]
+        return lambda _firing: draws[name]
 
     def describe(self, phrases: Phrases) -> str:
         return f"the name of {quoted_measure(self.role)}"

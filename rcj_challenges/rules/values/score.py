@@ -51,7 +51,7 @@ expect:
     SENTENCE = "the score of blue"
     COMPARED = "the score of yellow is less than the score of blue"
 
-    def as_it_is(self, to: Scope) -> Reader:
+    def measure(self, to: Scope) -> Reader:
         scores, entrants = to.state.scores, to.entrants(self.score)
         before = {} if self.since is None else to.state.began_with[self.since]
 

@@ -43,7 +43,7 @@ expect:
     SENTENCE = "the speed of the ball in m/s"
     COMPARED = "the ball moves at a speed of at least 0.3 m/s"
 
-    def unrounded(self, to: Scope) -> Reader:
+    def measure(self, to: Scope) -> Reader:
         state, entity = to.state, to.entities(self.speed)[0]
         return lambda _firing: state.speed_mps(entity)
 

@@ -1,10 +1,9 @@
 """The value ``timer``."""
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated
 
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.rules.base import Phrases, Scope, Test
+from rcj_challenges.rules.base import Phrases, Reader, Scope, Test
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import TIMER
@@ -48,9 +47,9 @@ expect:
     COMPARED = "the timer “attempt” has run for at most 15 s"
     IS_FACT = True
 
-    def now(self, to: Scope) -> Callable[[], float]:
+    def measure(self, to: Scope) -> Reader:
         state, clocks = to.state, self._clocks(to)
-        return lambda: s_from_ticks(max(clock.ticks(state.tick) for clock in clocks))
+        return lambda _firing: s_from_ticks(max(clock.ticks(state.tick) for clock in clocks))
 
     def fact(self, to: Scope) -> Test:
         state, clocks = to.state, self._clocks(to)

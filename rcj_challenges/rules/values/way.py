@@ -53,7 +53,7 @@ expect:
     SENTENCE = "the way of the ball in this half in m"
     COMPARED = "the ball has a way in this half of less than 5 m"
 
-    def unrounded(self, to: Scope) -> Reader:
+    def measure(self, to: Scope) -> Reader:
         ways, entity = to.state.ways, to.entities(self.way)[0]
         to.state.follow_way(entity)
         return lambda _firing: ways[entity]

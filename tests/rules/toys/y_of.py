@@ -1,9 +1,8 @@
 """A value that the package does not have; it is a number too."""
 
-from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope
+from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import ENTITY
 from rcj_challenges.rules.values.number import NumberValue
@@ -31,10 +30,10 @@ expect:
     events: [{event: LATE, payload: {y_m: 0.5}}]
 """
 
-    def now(self, to: Scope) -> Callable[[], float]:
+    def measure(self, to: Scope) -> Reader:
         """Return what reads how far up it is."""
         state, entity = to.state, to.entity(self.y_of)
-        return lambda: state.poses[entity][1]
+        return lambda _firing: state.poses[entity][1]
 
     def describe(self, phrases: Phrases) -> str:
         """Return the value in words."""
