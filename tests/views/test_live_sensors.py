@@ -160,7 +160,7 @@ def test_half_of_a_surrogate_pair_does_not_break_the_feed() -> None:
 
 
 def facts_of(show: LiveShow) -> Any:
-    return json.loads(show._served.page.decode().partition('id="facts">')[2].partition("</script>")[0])
+    return json.loads(show._server.page.decode().partition('id="facts">')[2].partition("</script>")[0])
 
 
 def test_logos_are_in_the_page_before_the_match_begins() -> None:

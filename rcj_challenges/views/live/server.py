@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import hmac
 import json
+import secrets
 import socket
 import socketserver
 import sys
 import threading
 from contextlib import suppress
-from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 from rcj_challenges.views.live.feed import KEEP_ALIVE, Feed
@@ -50,29 +50,14 @@ _JSON = "application/json"
 _TEXT = "text/plain; charset=utf-8"
 
 
-@dataclass
-class ServedMatch:
-    """The match that the server shows.
-
-    Attributes:
-        page: the viewer, UTF-8.
-        match: identifies this match, so that a page of another one does not receive its feed.
-        token: gives the right to steer.
-        replay: the finished page, once there is one.
-    """
-
-    page: bytes
-    match: str
-    feed: Feed
-    pace: Pace
-    token: str
-    replay: Path | None = None
-
-
 class SpectatorServer(ThreadingHTTPServer):
-    """Listens on loopback; `serve_forever` runs in a thread of its own.
+    """Listens on loopback and shows one match; `serve_forever` runs in a thread of its own.
 
     The threads of connections end with the process: a spectator never holds up the end.
+
+    Attributes:
+        token: gives the right to steer.
+        replay: the finished page, once there is one.
     """
 
     daemon_threads = True
@@ -81,13 +66,17 @@ class SpectatorServer(ThreadingHTTPServer):
     allow_reuse_address = sys.platform != "win32"
     request_queue_size = 32
 
-    def __init__(self, port: int, served: ServedMatch) -> None:
-        """Listen; port 0 takes a free one.
+    def __init__(self, port: int, page: bytes, match: str, feed: Feed, pace: Pace) -> None:
+        """Listen; port 0 takes a free one, ``page`` is the viewer in UTF-8.
+
+        ``match`` identifies this match, so that a page of another one does not receive its feed.
 
         Raises:
             OSError: the port is taken or not allowed.
         """
-        self.served = served
+        self.page, self.match, self.feed, self.pace = page, match, feed, pace
+        self.token = secrets.token_urlsafe(24)
+        self.replay: Path | None = None
         self._free = threading.BoundedSemaphore(MAX_CONNECTIONS)
         super().__init__((HOST, port), _Handler)
         self.port: int = self.server_address[1]
@@ -133,33 +122,22 @@ class _Handler(BaseHTTPRequestHandler):
     timeout = _TIMEOUT_S
     server: SpectatorServer
 
-    _PATHS: ClassVar[dict[str, frozenset[str]]] = {
-        "/": frozenset({"GET", "HEAD"}),
-        "/feed": frozenset({"GET"}),
-        "/replay.html": frozenset({"GET", "HEAD"}),
-        "/steer": frozenset({"POST"}),
-    }
-
     def do_GET(self) -> None:
-        """Show the page, the feed or the replay, or steer the match."""
-        if (path := self._path()) is not None:
-            served = {"/": self._page, "/feed": self._feed, "/replay.html": self._replay, "/steer": self._steer}
-            served[path]()
-
-    # The names that http.server looks for.
-    do_HEAD = do_POST = do_PUT = do_DELETE = do_PATCH = do_OPTIONS = do_GET  # noqa: N815
-
-    # --- access -----------------------------------------------------------------------------------------------------
-
-    def _path(self) -> str | None:
-        """Return the path if the request is allowed; else answer it and return None."""
+        """Show the page, the feed or the replay, or steer the match, if the request is allowed."""
         server = self.server
+        answers = {
+            "/": (self._page, ("GET", "HEAD")),
+            "/feed": (self._feed, ("GET",)),
+            "/replay.html": (self._replay, ("GET", "HEAD")),
+            "/steer": (self._steer, ("POST",)),
+        }
         origin, site = self.headers.get("Origin"), self.headers.get("Sec-Fetch-Site", "none")
         try:
             path = urlsplit(self.path).path
         except ValueError:  # such as "http://[::1"
             self._refuse(400, "this address cannot be read")
-            return None
+            return
+        answer, methods = answers.get(path, (None, ()))
         if self.headers.get("Host", "").lower() not in server.hosts or len(self.headers.get_all("Host", [])) != 1:
             # A name that merely resolves to this machine would let another site's script read and steer.
             self._refuse(403, f"ask for http://{HOST}:{server.port}/")
@@ -167,30 +145,32 @@ class _Handler(BaseHTTPRequestHandler):
             site not in ("none", "same-origin") and path != "/"
         ):
             self._refuse(403, "not from another page")
-        elif path not in self._PATHS:
+        elif answer is None:
             self._refuse(404, "there is nothing of that name")
-        elif self.command not in self._PATHS[path]:
-            self._refuse(405, "not in this way", {"Allow": ", ".join(sorted(self._PATHS[path]))})
+        elif self.command not in methods:
+            self._refuse(405, "not in this way", {"Allow": ", ".join(methods)})
         else:
-            return path
-        return None
+            answer()
+
+    # The names that http.server looks for.
+    do_HEAD = do_POST = do_PUT = do_DELETE = do_PATCH = do_OPTIONS = do_GET  # noqa: N815
 
     # --- answers ----------------------------------------------------------------------------------------------------
 
     def _page(self) -> None:
-        self._answer(200, self.server.served.page, _HTML)
+        self._answer(200, self.server.page, _HTML)
 
     def _feed(self) -> None:
-        served = self.server.served
+        server = self.server
         asked = parse_qs(urlsplit(self.path).query)
         start = asked.get("from", ["0"])[0]
         if not _is_count(start):
             return self._refuse(400, "from: a number of bytes")
-        if asked.get("match", [""])[0] != served.match:
+        if asked.get("match", [""])[0] != server.match:
             return self._refuse(409, "another match is played here now")
         self._head(200, {"Content-Type": "application/octet-stream", "Transfer-Encoding": "chunked"})
-        at = min(int(start), served.feed.size_bytes)
-        while (chunk := served.feed.read(at, _KEEP_ALIVE_S)) is not None:
+        at = min(int(start), server.feed.size_bytes)
+        while (chunk := server.feed.read(at, _KEEP_ALIVE_S)) is not None:
             sent = chunk or KEEP_ALIVE
             self.wfile.write(b"%x\r\n%b\r\n" % (len(sent), sent))
             at += len(chunk)
@@ -198,7 +178,7 @@ class _Handler(BaseHTTPRequestHandler):
         return None
 
     def _replay(self) -> None:
-        replay = self.server.served.replay
+        replay = self.server.replay
         page = None
         with suppress(OSError):
             page = replay.read_bytes() if replay else None
@@ -208,17 +188,17 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _steer(self) -> None:
         given = self.headers.get("Authorization", "").encode("utf-8", "replace")
-        if not hmac.compare_digest(given, f"Bearer {self.server.served.token}".encode()):
+        if not hmac.compare_digest(given, f"Bearer {self.server.token}".encode()):
             why = "only the person who started the match may steer it: use the address with the token"
             return self._refuse(403, why)
         length = self.headers.get("Content-Length", "")
         if not _is_count(length) or int(length) > _MAX_COMMAND_BYTES:
             return self._refuse(413, f"a command of at most {_MAX_COMMAND_BYTES} bytes")
         try:
-            apply_command(self.server.served.pace, json.loads(self.rfile.read(int(length))))
+            apply_command(self.server.pace, json.loads(self.rfile.read(int(length))))
         except (ValueError, TypeError, RecursionError) as error:
             return self._refuse(400, str(error), keep=True)
-        return self._answer(200, json.dumps(self.server.served.pace.state).encode(), _JSON)
+        return self._answer(200, json.dumps(self.server.pace.state).encode(), _JSON)
 
     def _refuse(self, status: int, why: str, more: dict[str, str] | None = None, *, keep: bool = False) -> None:
         """Refuse a request; the connection ends, unless all of the request was read."""

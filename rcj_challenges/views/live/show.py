@@ -19,7 +19,7 @@ from rcj_challenges.views.codes import PORT_TAKEN
 from rcj_challenges.views.live.encoder import LiveObserver, live_facts
 from rcj_challenges.views.live.feed import Feed, json_message
 from rcj_challenges.views.live.pace import Pace
-from rcj_challenges.views.live.server import HOST, ServedMatch, SpectatorServer
+from rcj_challenges.views.live.server import HOST, SpectatorServer
 from rcj_challenges.views.replay.page import LIVE_PAGE, about_run, add_logos, page_text, places
 
 _FLUSH_EVERY_S = 0.1
@@ -62,9 +62,8 @@ class LiveShow:
         facts = live_facts(scenario, dict(titles), seed)
         self._no_logos = add_logos(facts, (logos or {}).get)
         page = page_text({**facts, "match": match}, {}, kind=LIVE_PAGE).encode()
-        self._served = ServedMatch(page, match, self._feed, self.pace, secrets.token_urlsafe(24))
         try:
-            self._server = SpectatorServer(port, self._served)
+            self._server = SpectatorServer(port, page, match, self._feed, self.pace)
         except OSError as error:
             raise _port_error(port, error) from error
         self.port = self._server.port
@@ -80,20 +79,20 @@ class LiveShow:
     @property
     def steering_address(self) -> str:
         """The same with the right to steer. Browsers do not send the token, because it stands behind ``#``."""
-        return f"{self.address}#token={self._served.token}"
+        return f"{self.address}#token={self._server.token}"
 
     def match_over(self, folder: Path) -> None:
         """Send the end of the match, and serve the replay page of its record, if it is there."""
         self.observer.flush()
         self.pace.release()
         page = folder / REPLAY
-        self._served.replay = page if page.is_file() else None
+        self._server.replay = page if page.is_file() else None
         over: dict[str, Any] = {"about": [], "places": [], "complete": False}
         with suppress(RecordError):
             result = read_result(folder)
             over["about"], over["places"] = [*about_run(result), *self._no_logos], places(self._scenario, result)
             over["complete"] = result.complete
-        self._feed.append(json_message({"say": "over", **over, "replay": self._served.replay is not None}))
+        self._feed.append(json_message({"say": "over", **over, "replay": self._server.replay is not None}))
         self._feed.close()
 
     def linger(self, seconds: float | None) -> None:
