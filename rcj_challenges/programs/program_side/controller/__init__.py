@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import sys
 
-from .device import Device, Sensor
+from .device import Device, Sensor, class_name
 from .motor import Motor
 from .radio import Emitter, Receiver
 from .robot import Robot
@@ -39,7 +39,7 @@ class _ClassModules:
     @staticmethod
     def find_spec(name: str, *_more: object) -> Any:
         package, _, module = name.rpartition(".")
-        is_known = package == __name__ and _class_of(module) in __all__
+        is_known = package == __name__ and class_name(module) in __all__
         return type(__spec__)(name, _ClassModules) if is_known else None  # type: ignore[arg-type]
 
     @staticmethod
@@ -49,23 +49,17 @@ class _ClassModules:
     @staticmethod
     def exec_module(module: Any) -> None:
         short = module.__name__.rpartition(".")[2]
-        names = [name for name in (_class_of(short), _SECOND_CLASSES.get(short)) if name]
+        names = [name for name in (class_name(short), _SECOND_CLASSES.get(short)) if name]
         package = sys.modules[__name__]
         vars(module).update({name: getattr(package, name) for name in names}, __all__=names)
-
-
-def _class_of(module: str) -> str:
-    """Return ``DistanceSensor`` for ``distance_sensor``, ``GPS`` for ``gps``."""
-    return module.upper() if module in ("gps", "led") else "".join(part.capitalize() for part in module.split("_"))
 
 
 sys.meta_path.append(_ClassModules)
 
 
 _FILES = {
-    "Accelerometer": "accelerometer", "Camera": "camera", "CameraRecognitionObject": "camera", "Gyro": "gyro",
-    "InertialUnit": "inertial_unit", "LED": "led",
-    "Lidar": "lidar", "LidarPoint": "lidar", "LightSensor": "light_sensor", "TouchSensor": "touch_sensor",
+    "Camera": "camera", "CameraRecognitionObject": "camera", "Lidar": "lidar", "LidarPoint": "lidar",
+    **dict.fromkeys(("Accelerometer", "Gyro", "InertialUnit", "LED", "LightSensor", "TouchSensor"), "rare_devices"),
 }  # fmt: skip
 
 

@@ -104,6 +104,11 @@ class Device:
     node_type = ReadOnly(getNodeType)
 
 
+def class_name(kind: str) -> str:
+    """Return ``DistanceSensor`` for ``distance_sensor``, ``GPS`` for ``gps``."""
+    return kind.upper() if kind in ("gps", "led") else "".join(part.capitalize() for part in kind.split("_"))
+
+
 def device_of(connection: Connection, name: str, kind: str) -> Any:
     """Return the robot's device of that name and class; None, and a message, if the robot has none."""
     there = connection.devices.get(name)

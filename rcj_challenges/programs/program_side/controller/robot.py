@@ -4,35 +4,21 @@ from __future__ import annotations
 
 import math
 import os
+import sys
 
 from ._connection import Connection, complain, connected
-from .device import Device, ReadOnly, device_of
-from .motor import Motor
-from .radio import Emitter, Receiver
-from .sensors import GPS, Compass, DistanceSensor, PositionSensor
+from .device import Device, ReadOnly, class_name, device_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any, NoReturn, Self
 
-_CLASSES: dict[str, type[Device]] = {
-    "motor": Motor,
-    "position_sensor": PositionSensor,
-    "gps": GPS,
-    "compass": Compass,
-    "distance_sensor": DistanceSensor,
-    "receiver": Receiver,
-    "emitter": Emitter,
-}
 
-
-def _class_of(kind: str) -> type[Device]:
-    """Return the class of a kind of devices; that of one that few robots have is in the module of the same name."""
-    if kind not in _CLASSES:  # each import costs every program
-        name = "LED" if kind == "led" else "".join(part.capitalize() for part in kind.split("_"))
-        _CLASSES[kind] = getattr(__import__(kind, globals(), None, [name], 1), name)
-    return _CLASSES[kind]
+def _class_of(kind: str) -> Any:
+    """Return the class of a kind of devices; that of a kind which Webots does not have is in the module of its name."""
+    name, package = class_name(kind), sys.modules[__package__]
+    return getattr(package if name in package.__all__ else __import__(kind, globals(), None, [name], 1), name)
 
 
 class Robot:
