@@ -6,7 +6,6 @@ from typing import Any
 
 from rcj_challenges.checker.advice.devices import device_help, missing_devices, missing_sentence
 from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, whereabouts_in
-from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.core.code import Code
@@ -19,7 +18,6 @@ MissingDevices = dict[str, list[str]]
 """Robots by the name of the device that they lack."""
 
 _MAX_DEVICES = 10
-_OTHER_HELP = "see the report below, if there is one, and the program's output (--show-output)"
 
 
 def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str = "") -> list[Diagnostic]:
@@ -35,7 +33,7 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
     for fault in match.faults:
         # All that end have the same message, but each program may have its own reason.
         ended = fault["kind"] == "exit"
-        why = hint_for(rehearsal.scenario, rehearsal.team, fault) if ended else None
+        why = hint_for(rehearsal.scenario, rehearsal.team, fault) if ended else ""
         alike.setdefault((fault["kind"], fault["detail"], fault["traceback"], why), []).append(fault)
     return [_fault_finding(stage, rehearsal, match, side, faults) for faults in alike.values()]
 
@@ -48,14 +46,13 @@ def _fault_finding(
     # Robots that hang are stopped at different places: one is enough.
     places = (whereabouts_in(match.log(robot)) for robot in robots if not traceback)
     whereabouts = next(filter(None, places), "")
-    hint = hint_for(rehearsal.scenario, rehearsal.team, first, match.notes[first["robot"]], whereabouts)
-    hint = hint or Hint(kind, HELP_BY_FAULT.get(kind, _OTHER_HELP))
+    help_ = hint_for(rehearsal.scenario, rehearsal.team, first, match.notes[first["robot"]], whereabouts)
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts
     return Diagnostic(
         Code.named(f"{stage}.{kind}"),
         f"{when}{sanitize(detail, 300) or kind}",
-        hint.help,
+        help_ or HELP_BY_FAULT[kind],
         ", ".join(robots),
         details=sanitize_block(report) if report else "",
         level="error",

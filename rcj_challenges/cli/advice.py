@@ -43,7 +43,7 @@ def advice_on(
         whereabouts = whereabouts_in(read_log(logs, fault["robot"]))
         hint = hint_for(scenario, team, fault, notes.get(fault["robot"], ()), whereabouts)
         general = "" if fault["kind"] in _ONLY_SPECIAL else HELP_BY_FAULT.get(fault["kind"], "")
-        if help_ := hint.help if hint is not None else general:
+        if help_ := hint or general:
             robots.setdefault(help_, {})[fault["robot"]] = None
     for robot in motionless:
         team = teams[seats[robot]].driving(numbers[robot])

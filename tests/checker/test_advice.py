@@ -9,7 +9,7 @@ import zipfile
 import pytest
 
 from rcj_challenges.checker.advice.hints import hint_for
-from rcj_challenges.checker.advice.table import TABLE
+from rcj_challenges.checker.advice.table import HELP_BY_ERROR
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.core.traffic import Note
 from rcj_challenges.scenario.load import load
@@ -45,8 +45,36 @@ def advise(tmp_path):
     return advise
 
 
-def code(hint):
-    return hint.code if hint is not None else ""
+WORDS = {
+    "missing_module": "put the file or folder",
+    "module_content": "It hides the module of that name",
+    "syntax": "correct this line",
+    "not_imported": "at the top of the file",
+    "unknown_name": "defined further down",
+    "local_variable": "has a variable of its own",
+    "no_brackets": "a call needs brackets",
+    "not_callable": "is not a function",
+    "array_method": "numpy has removed this method",
+    "none": "something in this line is None",
+    "add_text": "text and numbers cannot be added",
+    "vectors": "lists are not vectors",
+    "whole_number": "a whole number is needed",
+    "too_many_values": "positions have three numbers",
+    "bytes_or_text": "bytes and text are different",
+    "not_a_number": "this number is NaN",
+    "refused": "only into its own folder",
+    "no_file": "is not in the submission",
+    "loop_ends": "ends at once",
+    "hidden_error": "hides every error",
+    "called_exit": "leave out exit()",
+    "threads_alone": "only its threads go on",
+}
+"""Each hint by what it is about, with words that only it has."""
+
+
+def about(hint):
+    """Return what a hint is about; an unknown one as it is."""
+    return next((name for name, words in WORDS.items() if words in hint), hint)
 
 
 def python_error(program):
@@ -95,11 +123,11 @@ def python_error(program):
     ],
 )
 def test_each_common_crash_gets_its_hint(advise, program, expected):
-    assert code(advise(python_error(program), program)) == expected
+    assert about(advise(python_error(program), program)) == expected
 
 
 def test_every_help_text_can_be_formatted(advise):
-    assert all(row.help.format(name="x") for row in TABLE)
+    assert all(help_.format(name="x") for help_ in HELP_BY_ERROR.values())
 
 
 @pytest.mark.parametrize(
@@ -114,8 +142,7 @@ def test_every_help_text_can_be_formatted(advise):
 )
 def test_a_file_that_was_not_found_is_named_with_what_to_write(advise, asked, there, write):
     hint = advise(f"{NO_FILE}{asked!r} ({ENTRY}, line 3)", files=[there])
-    assert hint.code == "no_file"
-    assert write in hint.help
+    assert write in hint
 
 
 @pytest.mark.parametrize("quoted", [r"'\x'", r"'\N{no such letter}'", r"'data/\ud800.txt'", r"'\'"], ids=ascii)
@@ -143,13 +170,12 @@ def lacks(*names):
 )
 def test_the_missing_device_behind_a_none_is_named(advise, detail, notes, expected):
     hint = advise(detail, notes=notes)
-    assert hint.code == "no_device"
-    assert hint.help.startswith(expected)
+    assert hint.startswith(expected)
 
 
 def test_a_none_that_is_no_device_is_not_blamed_on_a_missing_one(advise):
-    assert code(advise(NONE.replace("getValues", "angle"), notes=lacks("led"))) == "none"
-    assert code(advise(NONE)) == "none"
+    assert about(advise(NONE.replace("getValues", "angle"), notes=lacks("led"))) == "none"
+    assert about(advise(NONE)) == "none"
 
 
 @pytest.mark.nightly
@@ -177,13 +203,12 @@ NO_BYTES = f"TypeError: a bytes-like object is required, not 'str' ({ENTRY}, lin
 )
 def test_a_program_for_other_messages_gets_the_setting_that_it_needs(advise, scenario, detail, setting):
     hint = advise(detail, READS, scenario=scenario)
-    assert hint.code == "other_messages"
-    assert setting in hint.help
+    assert setting in hint
 
 
 @pytest.mark.parametrize(("program", "tick"), [(READS, 400), ("", 2)])
 def test_a_late_crash_or_one_without_referee_packets_gives_no_advice_about_messages(advise, program, tick):
-    assert code(advise(NO_BYTES, program, scenario=V22, tick=tick)) == "bytes_or_text"
+    assert about(advise(NO_BYTES, program, scenario=V22, tick=tick)) == "bytes_or_text"
 
 
 @pytest.mark.parametrize(
@@ -197,8 +222,7 @@ def test_a_late_crash_or_one_without_referee_packets_gives_no_advice_about_messa
 )
 def test_a_packet_of_another_size_is_described(advise, scenario, size, part):
     hint = advise(f"struct.error: unpack requires a buffer of {size} bytes", scenario=scenario)
-    assert hint.code == "other_packets"
-    assert part in hint.help
+    assert part in hint
 
 
 # -- programs that end or hang ----------------------------------------------------------------------------------------
@@ -218,18 +242,17 @@ def test_a_packet_of_another_size_is_described(advise, scenario, size, part):
     ],
 )
 def test_a_program_that_ends_early_gets_its_reason(advise, program, tick, expected):
-    assert code(advise("the program came to its end", program, kind="exit", tick=tick)) == expected
+    assert about(advise("the program came to its end", program, kind="exit", tick=tick)) == expected
 
 
 def test_a_program_that_calls_exit_gets_that_call_as_the_reason(advise):
-    assert code(advise("the program called sys.exit(0)", kind="exit")) == "called_exit"
+    assert about(advise("the program called sys.exit(0)", kind="exit")) == "called_exit"
 
 
 def test_a_program_that_hangs_is_pointed_to_its_line(advise):
     program = BEGIN + "while True:\n    x = 1\n"
     hint = advise("", program, kind="step_timeout", whereabouts=f'It was here:\n  File "{ENTRY}", line 4 in <module>\n')
-    assert hint.code == "no_step"
-    assert f"line 4 of {ENTRY} (x = 1)" in hint.help
+    assert f"line 4 of {ENTRY} (x = 1)" in hint
 
 
 @pytest.mark.parametrize(
@@ -241,7 +264,7 @@ def test_a_program_that_hangs_is_pointed_to_its_line(advise):
     ],
 )
 def test_with_several_threads_no_line_is_blamed(advise, whereabouts, expected):
-    assert code(advise(kind="step_timeout", whereabouts=whereabouts)) == expected
+    assert about(advise(kind="step_timeout", whereabouts=whereabouts)) == expected
 
 
 # -- in a whole check -------------------------------------------------------------------------------------------------

@@ -6,7 +6,6 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
-from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.similarity import nearest_name
@@ -41,15 +40,15 @@ def missing_sentence(name: str) -> str:
     return f'asks for a device "{sanitize(name)}"; there is none'
 
 
-def none_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any], notes: Iterable[Note]) -> Hint | None:
-    """Return the hint for a crash over None that was returned for a device or a call of a supervisor; else None."""
+def none_help(scenario: Scenario, team: Team, fault: Mapping[str, Any], notes: Iterable[Note]) -> str:
+    """Advice on a crash over None that was returned for a device or a call of a supervisor; empty on any other."""
     if not _METHOD_OF_NONE.search(fault["detail"]):
-        return None
+        return ""
     missing = missing_devices(notes)
     calls = list(dict.fromkeys(sanitize(note.subject) for note in notes if note.code == "ignored-call"))
     names = [f'getDevice("{sanitize(name)}")' for name in missing] or calls
     if not names:
-        return None
+        return ""
     named = " or ".join(names[:_MAX_NAMED])
     if not missing:
         help_ = "only a referee knows where things are; a player asks its own devices (gps, compass, ball receiver)"
@@ -57,7 +56,7 @@ def none_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any], notes: I
         help_ = _list_devices(scenario, fault["robot"])
     else:
         help_ = device_help(scenario, team, fault["robot"], missing[0], missing)
-    return Hint("no_device", f"{named} returned None: {help_}")
+    return f"{named} returned None: {help_}"
 
 
 def device_help(scenario: Scenario, team: Team, robot: str, name: str, missing: Collection[str]) -> str:

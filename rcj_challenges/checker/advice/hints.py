@@ -9,10 +9,10 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from posixpath import relpath
 from typing import Any
 
-from rcj_challenges.checker.advice.devices import device_help, missing_devices, none_hint
+from rcj_challenges.checker.advice.devices import device_help, missing_devices, none_help
 from rcj_challenges.checker.advice.endings import ending_loop_help, hidden_error_help
-from rcj_challenges.checker.advice.packets import packet_hint
-from rcj_challenges.checker.advice.table import Hint, find_row
+from rcj_challenges.checker.advice.packets import packet_help
+from rcj_challenges.checker.advice.table import help_for_error
 from rcj_challenges.checker.file_beside import help_for_module_beside
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.traffic import Note
@@ -55,8 +55,8 @@ _NO_FILE = re.compile(r"^FileNotFoundError: \[Errno 2\] No such file or director
 
 def hint_for(
     scenario: Scenario, team: Team, fault: Mapping[str, Any], notes: Sequence[Note] = (), whereabouts: str = ""
-) -> Hint | None:
-    """Return the cause of a fault, if the evidence is clear.
+) -> str:
+    """Advice on a fault whose cause is clear; empty on any other.
 
     Args:
         scenario: what was played.
@@ -68,17 +68,15 @@ def hint_for(
     kind, detail = fault["kind"], fault["detail"]
     entry = PurePosixPath(team.entries.get(fault["robot"], ""))
     if kind == "crash":
-        special = packet_hint(scenario, team, fault) or none_hint(scenario, team, fault, notes)
-        return special or _missing_hint(team, detail, entry.parent) or find_row(detail)
+        special = packet_help(scenario, team, fault) or none_help(scenario, team, fault, notes)
+        return special or _missing_help(team, detail, entry.parent) or help_for_error(detail)
     if kind == "exit" and detail.startswith("the program called sys.exit"):
-        return Hint("called_exit", _CALLED_EXIT)
+        return _CALLED_EXIT
     if kind == "exit" and detail.startswith("the program came to its end"):
-        helps = (("loop_ends", ending_loop_help), ("hidden_error", hidden_error_help))
-        found = (Hint(code, text) for code, find in helps if (text := find(team.files, entry)))
-        return next(found, None)
+        return ending_loop_help(team.files, entry) or hidden_error_help(team.files, entry)
     if kind in ("step_timeout", "start_timeout") and whereabouts:
-        return _timeout_hint(team, whereabouts)
-    return None
+        return _timeout_help(team, whereabouts)
+    return ""
 
 
 def read_log(logs: Path, robot: str) -> str:
@@ -117,46 +115,43 @@ def standing_help(scenario: Scenario, team: Team, robot: str, notes: Sequence[No
     return f"{_STANDS}; or an error is hidden: {hidden}" if hidden else _STANDS
 
 
-def _missing_hint(team: Team, detail: str, current: PurePosixPath) -> Hint | None:
-    """Return where a module or a file is that was not found, or where to put it; None if that is not the reason."""
+def _missing_help(team: Team, detail: str, current: PurePosixPath) -> str:
+    """Return where a module or a file is that was not found, or where to put it; empty if that is not the reason."""
     module = _NO_MODULE.match(detail)
     beside = help_for_module_beside(team, module["name"]) if module is not None else ""
     if beside:
-        return Hint("file_not_given", beside)
+        return beside
     missing = _NO_FILE.match(detail)
     if missing is None:
-        return None
+        return ""
     name = PureWindowsPath(missing["path"]).name
     found = next((path for path in team.files if path.name.casefold() == name.casefold()), None)
     folder = sanitize(current) if current.parts else "the folder of the program"
     if found is not None:
         root = PurePosixPath("/")  # so that the current folder of this process does not matter
-        return Hint(
-            "no_file",
+        return (
             f'write "{sanitize(relpath(root / found, root / current))}": the file is {sanitize(found)}, and the '
-            f"current folder is {folder}; upper and lower case matter, and / separates folders",
+            f"current folder is {folder}; upper and lower case matter, and / separates folders"
         )
-    return Hint(
-        "no_file",
+    return (
         f'{sanitize(name)} is not in the submission: put it into {folder} and open it as "{sanitize(name)}"; '
-        "a folder to write into has to be made first (os.makedirs)",
+        "a folder to write into has to be made first (os.makedirs)"
     )
 
 
-def _timeout_hint(team: Team, whereabouts: str) -> Hint | None:
+def _timeout_help(team: Team, whereabouts: str) -> str:
     """Return the line in which a program was when it was stopped; with several threads none can be blamed."""
     lines = whereabouts.splitlines()
     if AFTER_ITS_END in lines:
-        return Hint("threads_alone", _THREADS_ALONE)
+        return _THREADS_ALONE
     found = _PLACE.search(whereabouts)
     if found is None or ANOTHER_THREAD.strip() in lines:
-        return None
+        return ""
     code = _code_at(team.files, found["file"], int(found["line"]))
     place = f"line {found['line']} of {sanitize(found['file'])}" + (f" ({code})" if code else "")
-    return Hint(
-        "no_step",
+    return (
         f"look for a loop or a wait that never calls robot.step(32): the program was in {place}; between two steps "
-        "nothing arrives",
+        "nothing arrives"
     )
 
 
