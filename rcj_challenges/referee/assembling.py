@@ -45,7 +45,7 @@ def _run_while(condition: Condition, clocks: dict[str | None, Clock], per: str |
     for owner, clock in clocks.items():
         binder = RuleBinder(context, BoundRule("", owner, None, None, None, None, ""), per)
         test = condition.compile(binder)
-        context.track_alone(RunsWhile(context.state, context.hits, clock, test, context.trackers.reschedule), None)
+        context.track(RunsWhile, None, None, clock, test, context.trackers.reschedule)
 
 
 def _members(rule: Rule, context: CompileContext) -> tuple[str | None, ...]:

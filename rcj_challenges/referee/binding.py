@@ -31,18 +31,14 @@ class RuleBinder(NameScope):
         self.for_each, self.other = for_each, rule.other
         self._context = context
         self.rule = rule
-        self.hits = context.hits
-        self.pose_history = context.pose_history
+        self.trackers = context.trackers
         self.clock_events = context.clock_events
         self.drawn: Mapping[str, tuple[str, ...]] = context.roster.drawn
         self.sequences = context.sequence_trackers
         self.reset_with_draws = context.reset_with_draws
         self.set_length = context.set_length
-        self.timers_changed = context.trackers.reschedule
-        self.reset = context.trackers.reset
         self.enter_phase = context.enter_phase
         self.emit = context.emit
-        self.decided_place = context.state.decided_place
         self._trigger = ""
         self._holders: tuple[tuple[str, str], ...] = ()
         self._by_time = False
@@ -73,40 +69,29 @@ class RuleBinder(NameScope):
     def index_of(self, name: str) -> int | None:
         return self.roster.index.get(name)
 
-    def track(self, kind: type[_T], key: tuple[object, ...], *args: Any) -> _T:
+    def track(self, kind: type[_T], key: tuple[object, ...] | None, *args: Any) -> _T:
         # One that is about members of roles is not shared with others: it is reset when one of these is assigned.
-        tracker = self._context.track(kind, (*key, *self._holders), self.rule.phases, *args)
-        self.reset_with_draws(tracker, tuple(role for role, _ in self._holders))
+        shared = None if key is None else (*key, *self._holders)
+        tracker = self._context.track(kind, shared, self.rule.phases, *args)
+        named = sorted(self.named) if key is None else ()
+        self.reset_with_draws(tracker, (*(role for role, _ in self._holders), *named))
         return tracker
-
-    def track_alone(self, tracker: Tracker) -> None:
-        self._context.track_alone(tracker, self.rule.phases)
-        self.reset_with_draws(tracker, (*(role for role, _ in self._holders), *sorted(self.named)))
 
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         state, bodies = self.state, self._context.bodies
-        spots = self.spots(names)
+        spots = [self.spot(name) for name in self.members(names)]
 
         def free() -> Iterable[bool]:
             board = PlacementBoard(state, bodies, set())
-            return (board.free(spot, clearance_m, None) for spot in spots())
+            return (board.free(spot(), clearance_m, None) for spot in spots)
 
         return free
 
-    def release(self, robots: tuple[int, ...]) -> None:
-        self._context.trackers.release(self.state.held.release(robots))
+    def assign(self, name: str, value: Scalar | None) -> None:
+        self._context.assign(name, lambda: self.state.set_draw(name, value))
 
-    def decide_draw(self, draw: str, value: Scalar | None) -> None:
-        if value is not None:
-            self.assign(draw, value)
-        else:
-            self._context.assign(draw, lambda: self.state.draw_again(draw, self.scenario.draws[draw]))
-
-    def assign(self, role: str, member: Scalar | None) -> None:
-        self._context.assign(role, lambda: self.state.set_draw(role, member))
-
-    def assign_next(self, role: str) -> None:
-        self._context.assign(role, lambda: self.state.assign_next(role))
+    def assign_next(self, name: str) -> None:
+        self._context.assign(name, lambda: self.state.assign_next(name))
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         return self.scenario.draws[draw].values
@@ -136,11 +121,10 @@ class RuleBinder(NameScope):
         for job in jobs:
             self._context.queue.ask(job if job.spec is None else replace(job, signs=job.spec.signs_now()))
 
-    def place_later(self, job: PlacementJob, ticks: int) -> None:
-        self._context.queue.ask_later(replace(job, due=self.state.tick + ticks, comes_back=True))
-
-    def remove(self, entity: int) -> None:
+    def remove(self, entity: int, back: PlacementJob | None = None, ticks: int = 0) -> None:
         self._context.queue.ask(PlacementJob(entity, None, self.rule))
+        if back is not None:
+            self._context.queue.ask_later(replace(back, due=self.state.tick + ticks, comes_back=True))
 
 
 if TYPE_CHECKING:

@@ -22,7 +22,6 @@ from rcj_challenges.scenario.walk import walk
 from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, HitBuffer, Reader
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
-from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.sequences import SequencePath, SequenceTracker
 from rcj_challenges.tracking.trackers import Tracker, TrackerManager
 
@@ -44,7 +43,6 @@ class CompileContext:
         self.scenario = state.scenario
         self.roster = state.roster
         self.hits = HitBuffer()
-        self.pose_history = PoseHistory()
         self.trackers = TrackerManager(state)
         self.clock_events = ClockEvents()
         self.contacts = Contacts(state.roster.robots)
@@ -54,7 +52,7 @@ class CompileContext:
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self._by_draw: dict[str, list[Tracker]] = {}
         self.floor = floor_parts(state.scenario.field)
-        self._sequences: dict[tuple[str, str], SequenceTracker] = {}
+        self._sequences: dict[str, dict[str | None, SequenceTracker]] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}
         self.names = NameScope(state, self.contacts)
@@ -112,33 +110,28 @@ class CompileContext:
 
     # --- trackers ---------------------------------------------------------------------------------------------------
 
-    def track(self, kind: type[_T], key: tuple[object, ...], phases: frozenset[str] | None, *args: Any) -> _T:
-        """Return the tracker that follows ``key`` in some phases; rules that follow the same share it."""
-        full = (kind, *key, phases)
-        if full not in self._shared:
-            self._shared[full] = kind(self.state, self.hits, *args)
-            self.track_alone(self._shared[full], phases)
-        return cast("_T", self._shared[full])
-
-    def track_alone(self, tracker: Tracker, phases: frozenset[str] | None) -> None:
-        """Follow a tracker that is not shared."""
+    def track(self, kind: type[_T], key: tuple[object, ...] | None, phases: frozenset[str] | None, *args: Any) -> _T:
+        """Return the tracker that follows ``key`` in some phases, which rules share; without a key one of its own."""
+        shared = None if key is None else self._shared.get((kind, *key, phases))
+        if shared is not None:
+            return cast("_T", shared)
+        tracker = kind(self.state, self.hits, *args)
         tracker.phases = phases
         self.trackers.all.append(tracker)
+        if key is not None:
+            self._shared[kind, *key, phases] = tracker
+        return tracker
 
     def sequence_trackers(self, name: str) -> dict[str | None, SequenceTracker]:
         """Return the trackers of a sequence by whose it is; None for one that is not kept per entity.
 
         All rules share them, and they are active wherever one of these is.
         """
-        sequence = self.scenario.sequences[name]
-        members = self.names.members(sequence.followed)
-        for member in members:
-            if (name, member) not in self._sequences:
-                tracker = self._sequences[name, member] = self._sequence_tracker(sequence, member)
-                self.track_alone(tracker, _phases_of(self.scenario, name))
-        return {None if sequence.per is None else member: self._sequences[name, member] for member in members}
+        if name not in self._sequences:
+            self._sequences[name] = self._track_sequence(self.scenario.sequences[name], _phases_of(self.scenario, name))
+        return self._sequences[name]
 
-    def _sequence_tracker(self, sequence: Sequence, member: str) -> SequenceTracker:
+    def _track_sequence(self, sequence: Sequence, phases: frozenset[str] | None) -> dict[str | None, SequenceTracker]:
         steps = tuple(self.names.members(places) for places in sequence.places())
         names = tuple(dict.fromkeys(name for step in steps for name in step))
         zones: dict[str, Region] = {name: self.names.zone(name) for name in names if name in self.scenario.zones}
@@ -150,7 +143,13 @@ class CompileContext:
             sequence.when_placed == "goes_on",
             sequence.order == "any",
         )
-        return SequenceTracker(self.state, self.hits, self.names.entity(member), path, zones, gates)
+        members = self.names.members(sequence.followed)
+        return {
+            None if sequence.per is None else member: self.track(
+                SequenceTracker, None, phases, self.roster.index[member], path, zones, gates
+            )
+            for member in members
+        }
 
 
 def _phases_of(scenario: Scenario, sequence: str) -> frozenset[str] | None:

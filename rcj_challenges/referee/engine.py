@@ -77,7 +77,7 @@ class Referee:
         self._state.decide_spots(spots or {})
         self._trackers, self._hits = self._context.trackers, self._context.hits
         self._contacts, self._queue = self._context.contacts, self._context.queue
-        self._clock_events, self._pose_history = self._context.clock_events, self._context.pose_history
+        self._clock_events = self._context.clock_events
         self._all_present = True
         self._clock_runs = self._clock_ran = True
         self._waiting = self._has_begun_anew = False
@@ -135,7 +135,7 @@ class Referee:
         state.poses = state.before = list(snapshot.substeps[-1])
         state.uprights = snapshot.uprights
         state.placed_at = list(state.poses)
-        self._pose_history.add(state.poses)
+        state.pose_history.add(state.poses)
         self._context.set_lengths()
         self._clock_events.start()
         self._set_phase(state.phase)
@@ -182,8 +182,8 @@ class Referee:
         state.uprights = snapshot.uprights
         if state.ways:
             state.add_ways()
-        if self._pose_history.used:
-            self._pose_history.add(judged)
+        if state.pose_history.used:
+            state.pose_history.add(judged)
         if self._contacts.used:
             self._contacts.advance(snapshot.touches)
         if snapshot.messages:

@@ -22,7 +22,6 @@ from rcj_challenges.scenario.shapes import centre_of, middle_of, start_noise_m, 
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
-from rcj_challenges.tracking.state import Number
 
 _T = TypeVar("_T")
 _W = TypeVar("_W")
@@ -110,14 +109,11 @@ class NameScope:
     ) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         per = getattr(self.scenario, section)[name].per
         if per == ENTRANTS or self.for_each != ENTRANTS:
-            return self.group(names) if per != ENTRANTS else self.group_of_entrants(names)
+            entrants = self.entrants(names) if per == ENTRANTS else ()
+            return (entrants, lambda: entrants) if per == ENTRANTS else self.group(names)
         (members, members_now), owners = self.group(names), self.roster.keepers(per)
         has_one = owners.__contains__
         return tuple(filter(has_one, members)), lambda: tuple(filter(has_one, members_now()))
-
-    def group_of_entrants(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
-        entrants = self.entrants(names)
-        return entrants, lambda: entrants
 
     def group(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         members, each = self.members(names), self.each
@@ -131,13 +127,8 @@ class NameScope:
 
         return members, on_field
 
-    def things(self, names: Names) -> tuple[int, ...]:
-        return tuple(self.thing(name) for name in self.members(names))
-
-    def thing(self, name: str) -> int:
-        return self.roster.index[self.members(name)[0]]
-
-    entities, entity = things, thing
+    def entities(self, names: Names) -> tuple[int, ...]:
+        return tuple(self.roster.index[name] for name in self.members(names))
 
     def owners(self, section: str, name: str, names: Names | None) -> tuple[str, ...] | None:
         per = getattr(self.scenario, section)[name].per
@@ -185,7 +176,7 @@ class NameScope:
 
     def gate(self, name: str) -> GateLine:
         gate = self.scenario.gates[name]
-        anchor = None if gate.anchor is None else self.entity(gate.anchor)
+        anchor = None if gate.anchor is None else self.entities(gate.anchor)[0]
         return GateLine(gate.from_m, gate.to_m, anchor, self.state)
 
     def start_of(self, entity: int) -> StartPose:
@@ -193,12 +184,10 @@ class NameScope:
         return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
 
     def spot(self, name: str) -> Callable[[], Point]:
-        spots, decided = self.state.spots, self._decided(name, str)
-        return lambda: spots[decided()]
-
-    def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
-        spots, members = self.state.spots, self.members(names)
-        return lambda: tuple(spots[name] for name in members)
+        spots, draws = self.state.spots, self.state.draws
+        if name in self.roster.drawn:
+            return lambda: spots[str(draws[name])]
+        return lambda: spots[name]
 
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
         if isinstance(what, tuple):
@@ -259,7 +248,7 @@ class NameScope:
             return lambda: centre
         if name in state.spots:
             return lambda: state.spots[name]
-        index = self.thing(name)
+        index = roster.index[name]
         if index < len(roster.entities):
             return lambda: state.poses[index] if state.present[index] else None
         middle = middle_of(self.scenario.obstacles[name])
@@ -273,9 +262,6 @@ class NameScope:
             among = self.roster.drawn.get(name)
             found += [_target(name, self)] if among is None else [_if_drawn(name, one, self) for one in among]
         return tuple(found)
-
-    def half_length_s(self) -> Number:
-        return self.state.half_length_s()
 
 
 def _if_drawn(draw: str, name: str, scope: NameScope) -> Target:

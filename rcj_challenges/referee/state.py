@@ -18,7 +18,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, Phase
 from rcj_challenges.scenario.roster import ENTRANTS, Roster
 from rcj_challenges.tracking.bound_rules import RuleHistory
-from rcj_challenges.tracking.state import Clock, Number, RefereeState
+from rcj_challenges.tracking.state import Clock, RefereeState
 
 _FLOAT32 = struct.Struct("<f")
 
@@ -47,7 +47,6 @@ class State(RefereeState):
         self.scores = {name: half.scores.get(name, 0) for name in scenario.entrants}
         self._undrawn: dict[str, list[Scalar]] = {}
         self._decided: dict[str, list[Scalar]] = {}
-        self._decided_spots: dict[str, list[tuple[float, float]]] = {}
         self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
         self.began_with = {"half": dict(self.scores), "phase": dict(self.scores)}
         self._by_phase: list[tuple[str, Callable[[], None]]] = []
@@ -55,6 +54,9 @@ class State(RefereeState):
         self.chosen: dict[str, Draw] = {**scenario.draws, **roles}
         self._histories: dict[str, dict[str, RuleHistory]] = {}
         self._fill()
+        # The scenario's own number (600, as in the original's log) unless the half is played at another length.
+        nominal_s = half_length_s(scenario.match, half.half)
+        self.half_length_s = plain(nominal_s if ticks_from_s(nominal_s) == half.ticks else s_from_ticks(half.ticks))
 
     def anew_in(self, keep: str | None, begin: Callable[[], None]) -> None:
         """Reset something with the phases for which it is kept."""
@@ -133,7 +135,7 @@ class State(RefereeState):
                 self._undrawn[name] = list(undrawn.get(name, draw.values))
             role = self.scenario.roles.get(name)
             if name in decided and (role is None or role.initial is None):
-                self.draw_again(name, draw)
+                self.draw_again(name)
             elif name in kept:
                 self.draws[name] = kept[name]
                 if name not in undrawn:  # else it was taken out when it was drawn
@@ -141,23 +143,23 @@ class State(RefereeState):
             elif role is not None:
                 self.begin_role(name)
             else:
-                self.draw_again(name, draw)
+                self.draw_again(name)
 
     def begin_role(self, name: str) -> None:
         """Let a role stand for what it does at first."""
         role, members = self.scenario.roles[name], self.roster.roles[name]
         if role.order == "random" and role.initial is None:
-            self.draw_again(name, self.chosen[name])
+            self.draw_again(name)
         else:
             self.set_draw(name, members[0] if role.initial is None else None)
 
     def assign_next(self, name: str) -> None:
-        """Give a role to the next in its order: behind none the first one comes, behind the last one none or that."""
-        role, members = self.scenario.roles[name], self.roster.roles[name]
-        if role.order == "random":
-            self.draw_again(name, self.chosen[name])
+        """Draw again, or give a role to the next: behind none the first one comes, behind the last one none or that."""
+        role = self.scenario.roles.get(name)
+        if role is None or role.order == "random":
+            self.draw_again(name)
             return
-        last = self.draws[name]
+        members, last = self.roster.roles[name], self.draws[name]
         following = 0 if last is None else members.index(str(last)) + 1
         is_over = following == len(members) and not role.cyclic
         self.set_draw(name, None if is_over else members[following % len(members)])
@@ -169,12 +171,12 @@ class State(RefereeState):
         if value in undrawn:
             undrawn.remove(value)
 
-    def draw_again(self, name: str, draw: Draw) -> None:
+    def draw_again(self, name: str) -> None:
         """Draw a value, equally likely each: with ``not_last`` never the one it has, with ``not_again`` one left.
 
         As long as a test has decided what comes next, that comes.
         """
-        last = (self.draws[name],) if name in self.draws else ()
+        draw, last = self.chosen[name], (self.draws[name],) if name in self.draws else ()
         values, left = drawable(draw, self._undrawn.get(name, draw.values), last)
         if draw.not_again is not None:
             self._undrawn[name] = list(left)
@@ -187,16 +189,11 @@ class State(RefereeState):
 
     def decide_spots(self, decided: Mapping[str, Sequence[tuple[float, float]]]) -> None:
         """Let a test decide where chance sets spots, each the first times."""
-        self._decided_spots = {name: list(places) for name, places in decided.items()}
-
-    def decided_place(self, spot: str) -> tuple[float, float] | None:
-        """Return the next place that a test decides for a spot set by chance; None: chance decides."""
-        places = self._decided_spots.get(spot)
-        return places.pop(0) if places else None
+        self.decided_spots = {name: list(places) for name, places in decided.items()}
 
     def undecided_spots(self) -> dict[str, int]:
         """Return the number of places decided by a test that have not come, by spot."""
-        return {name: len(left) for name, left in self._decided_spots.items() if left}
+        return {name: len(left) for name, left in self.decided_spots.items() if left}
 
     def kept(self) -> dict[str, dict[str, object]]:
         """Return what is kept for the next half's `HalfInfo.kept`."""
@@ -225,11 +222,3 @@ class State(RefereeState):
     def phase_model(self, name: str) -> Phase:
         """Return a phase of the scenario; ``play`` need not be written."""
         return self.scenario.phases.get(name) or Phase()
-
-    def half_length_s(self) -> Number:
-        """Return the length of the half in s as the record prints it.
-
-        The scenario's own number (600, as in the original's log) unless the half is played at another length.
-        """
-        nominal = half_length_s(self.scenario.match, self.half.half)
-        return plain(nominal if ticks_from_s(nominal) == self.half.ticks else s_from_ticks(self.half.ticks))

@@ -6,15 +6,14 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from rcj_challenges.rules.effects import Places
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
-from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, TriggerBinding
+from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
-from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.sequences import SequenceTracker
-from rcj_challenges.tracking.state import Number, RefereeState
-from rcj_challenges.tracking.trackers import Tracker
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import Tracker, TrackerManager
 
 if TYPE_CHECKING:
     from rcj_challenges.geometry.regions import Region
@@ -59,10 +58,7 @@ class Scope(Protocol):
         """
 
     def entities(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of entities."""
-
-    def things(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of what can be touched: entities, fixed obstacles, walls."""
+        """Return the indices of entities, or of fixed obstacles and walls, which can be touched too."""
 
     def region(self, names: Names) -> "Region":
         """Return the region of a zone, or of several zones taken as one."""
@@ -90,14 +86,8 @@ class Scope(Protocol):
     def entrants(self, names: Names) -> tuple[str, ...]:
         """Return the entrants that names stand for; of a robot that for which it plays."""
 
-    def group_of_entrants(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
-        """Return what `group` does of entrants."""
-
     def spot(self, name: str) -> Callable[[], Point]:
         """Return a function that reads the present place of a spot, or of the spot that a draw decided."""
-
-    def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
-        """Return a function that reads the present places of spots, in order."""
 
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
         """Return a function that finds the entity, spot or point of a name; of a draw's name, what it decided."""
@@ -108,12 +98,6 @@ class Scope(Protocol):
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
         """Return a function that draws a point of zones, every one equally likely."""
 
-    def entity(self, name: str) -> int:
-        """Return the index of one entity."""
-
-    def thing(self, name: str) -> int:
-        """Return the index of one thing that can be touched."""
-
     def name_of(self, entity: int) -> str:
         """Return the name of an entity."""
 
@@ -123,9 +107,6 @@ class Scope(Protocol):
     def targets(self, named: Names | Point) -> tuple[Target, ...]:
         """Return the target of a distance: what a name stands for, or a point."""
 
-    def half_length_s(self) -> Number:
-        """Return the length of the half in s."""
-
 
 class Binder(Scope, Protocol):
     """What a trigger, a condition or an action needs to be compiled for one rule."""
@@ -133,11 +114,8 @@ class Binder(Scope, Protocol):
     rule: BoundRule
     """The rule for which it is compiled."""
 
-    hits: HitBuffer
-    """Where trackers report."""
-
-    pose_history: PoseHistory
-    """Judged poses of the past."""
+    trackers: TrackerManager
+    """All trackers."""
 
     clock_events: ClockEvents
     """Triggers that no tracker follows."""
@@ -154,14 +132,11 @@ class Binder(Scope, Protocol):
     def sequences(self, name: str) -> dict[str | None, SequenceTracker]:
         """Return the trackers of a sequence by whose it is; None for one that is not kept per entity."""
 
-    def track(self, kind: type[_T], key: tuple[object, ...], *args: Any) -> _T:
+    def track(self, kind: type[_T], key: tuple[object, ...] | None, *args: Any) -> _T:
         """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it.
 
-        A new one is made of state, hits and ``args``.
+        A new one is made of state, hits and ``args``. Without a key it is not shared.
         """
-
-    def track_alone(self, tracker: Tracker) -> None:
-        """Follow a tracker that is not shared, in the phases of the rule."""
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
         """Reset a tracker whenever one of the draws among these names decides otherwise."""
@@ -180,23 +155,11 @@ class Binder(Scope, Protocol):
     def set_length(self, timer: str, owner: str | None) -> None:
         """Give a clock of a timer the length that it has by now."""
 
-    def timers_changed(self) -> None:
-        """Reschedule the trackers after a timer was started or stopped."""
+    def assign(self, name: str, value: Scalar | None) -> None:
+        """Give a draw a value, or a role to a member or none; trackers that depend on it are reset if it changed."""
 
-    def reset(self, tracker: Tracker) -> None:
-        """Reset a tracker, because a rule says so."""
-
-    def release(self, robots: tuple[int, ...]) -> None:
-        """Let robots go that rules hold."""
-
-    def decide_draw(self, draw: str, value: Scalar | None) -> None:
-        """Draw again, or set a draw to a value; trackers that depend on the draw are reset if it changed."""
-
-    def assign(self, role: str, member: str | None) -> None:
-        """Give a role to a member, or to none; trackers that depend on it are reset if it changed."""
-
-    def assign_next(self, role: str) -> None:
-        """Give a role to the next of its order."""
+    def assign_next(self, name: str) -> None:
+        """Draw again, or give a role to the next of its order."""
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""
@@ -206,9 +169,6 @@ class Binder(Scope, Protocol):
 
     def emit(self, event: str, payload: dict[str, object], about: tuple[str, ...]) -> None:
         """Write an event."""
-
-    def decided_place(self, spot: str) -> Point | None:
-        """Return the next place that a test decides for a spot set by chance; None: chance decides."""
 
     def is_on_floor(self, point: Point) -> bool:
         """Return whether a point lies inside the walls."""
@@ -222,8 +182,5 @@ class Binder(Scope, Protocol):
     def place(self, jobs: list[Any]) -> None:
         """Ask for placements, to be carried out after all actions of the tick."""
 
-    def place_later(self, job: Any, ticks: int) -> None:
-        """Ask for a placement so many ticks from now, of what is off the field until then."""
-
-    def remove(self, entity: int) -> None:
-        """Ask for an entity to be taken off the field."""
+    def remove(self, entity: int, back: Any = None, ticks: int = 0) -> None:
+        """Ask for an entity to be taken off the field; ``back``: its placement so many ticks from now."""

@@ -13,6 +13,7 @@ from rcj_challenges.core.play import HalfInfo, Pose2
 from rcj_challenges.core.streams import random_stream, stream_seed
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.tracking.held import Held
+from rcj_challenges.tracking.pose_history import PoseHistory
 
 Number = int | float
 Scalar = str | int | float | bool
@@ -57,7 +58,10 @@ class RefereeState:
         held: which robots are held, by the phase or by rules, on the field or off it.
         placed_at: by entity, the pose in which it was last put, or started.
         ways: by entity, how far it has driven or rolled in the half, in m; only entities that a rule asks about.
+        pose_history: judged poses of the past.
         spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
+        decided_spots: by spot set by chance, the next places that a test decides.
+        half_length_s: the length of the half in s, as the record prints it.
         scores: by entrant, as seated in this half.
         began_with: the scores at the beginning of the ``half`` and of the ``phase``.
         messages: by robot, its last radio message to the referee in this half.
@@ -81,7 +85,10 @@ class RefereeState:
         self.before: list[Pose2] = []
         self.by_hand: frozenset[int] = frozenset()
         self.ways: dict[int, float] = {}
+        self.pose_history = PoseHistory()
         self.spots: dict[str, tuple[float, float]] = {}
+        self.decided_spots: dict[str, list[tuple[float, float]]] = {}
+        self.half_length_s: Number = 0
         self.uprights: list[float] = []
         self.present = [True] * entities
         self.held = Held()

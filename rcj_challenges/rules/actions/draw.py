@@ -39,8 +39,11 @@ expect:
     SENTENCE = "“side” becomes “left”"
 
     def compile(self, to: Binder) -> Act:
-        name, fixed = self.draw, None if self.as_ is None else to.drawn_value(self.as_)
-        return lambda _firing: to.decide_draw(name, fixed)
+        name = self.draw
+        if self.as_ is None:
+            return lambda _firing: to.assign_next(name)
+        fixed = to.drawn_value(self.as_)
+        return lambda _firing: to.assign(name, fixed)
 
     def effects(self) -> tuple[Draws]:
         return (Draws(self.draw, self.as_),)

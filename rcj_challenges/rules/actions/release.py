@@ -23,8 +23,8 @@ class Release(Action):
     SENTENCE = "it is let go"
 
     def compile(self, to: Binder) -> Act:
-        robots = to.entities(self.entity)
-        return lambda _firing: to.release(robots)
+        robots, held, trackers = to.entities(self.entity), to.state.held, to.trackers
+        return lambda _firing: trackers.release(held.release(robots))
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.all_of(self.entity).does('is', 'are')} let go"

@@ -63,9 +63,10 @@ expect:
             if away_s is not None and seconds is None:
                 return
             for entity, job in returns.items():
-                to.remove(entity)
-                if seconds is not None:
-                    to.place_later(job, max(1, ticks_from_s(seconds)))
+                if seconds is None:
+                    to.remove(entity)
+                else:
+                    to.remove(entity, job, max(1, ticks_from_s(seconds)))
 
         return act
 

@@ -77,8 +77,7 @@ expect:
         def act(_firing: Firing) -> None:
             for kept, name, owners, first in values:
                 change_kept(kept, name, owners, lambda _value: first)  # noqa: B023 - called at once
-            for tracker in trackers:
-                to.reset(tracker)
+            to.trackers.reset(*trackers)
 
         return act
 

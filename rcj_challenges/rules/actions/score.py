@@ -86,7 +86,7 @@ expect:
     def _receivers(self, to: Binder) -> Callable[[], tuple[str, ...]]:
         """Return the function that finds the receivers: entrants by name, or those that drive robots."""
         if isinstance(self.entrant, LastToucher):
-            touched, contacts, drivers = to.thing(self.entrant.last_touch), to.contacts, to.state.entrant_of
+            (touched,), contacts, drivers = to.entities(self.entrant.last_touch), to.contacts, to.state.entrant_of
             contacts.follow_last(touched)
 
             def driver_of_the_last() -> tuple[str, ...]:

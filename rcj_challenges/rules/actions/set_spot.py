@@ -88,9 +88,8 @@ expect:
         is_apart = self.to.apart(to) if isinstance(self.to, UniformIn | OnLine) else None
 
         def act(_firing: Firing) -> None:
-            decided = to.decided_place(name) if is_random else None
-            if decided is not None:
-                state.spots[name] = decided
+            if is_random and (decided := state.decided_spots.get(name)):
+                state.spots[name] = decided.pop(0)
                 return
             sign_x, sign_y = (1.0, 1.0) if mirror is None else mirror()
             for _ in range(_MAX_TRIES if is_random else 1):

@@ -74,7 +74,7 @@ expect:
             more_s = 0.0 if longer_s is None else longer_s(firing) or 0.0
             for owner, clock in chosen:
                 change(owner, clock, more_s)
-            to.timers_changed()
+            to.trackers.reschedule()
 
         return act
 

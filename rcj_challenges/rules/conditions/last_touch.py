@@ -22,13 +22,13 @@ class LastTouchIs(Condition):
     SENTENCE = "the last to touch the ball was one of the blue robots"
 
     def test(self, to: Binder) -> Test:
-        touched, by = to.thing(self.last_touch), frozenset(to.entities(self.equals))
+        (touched,), by = to.entities(self.last_touch), frozenset(to.entities(self.equals))
         contacts = to.contacts
         contacts.follow_last(touched)
         return lambda: contacts.last(touched) in by
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        touched = to.thing(self.last_touch)
+        (touched,) = to.entities(self.last_touch)
         return (touched,) if touched < len(to.state.present) else ()  # a fixed obstacle is never placed
 
     def describe(self, phrases: Phrases) -> str:

@@ -45,7 +45,7 @@ class FreeSpot(PlaceWord):
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         places = None if self.reference is None else to.places(self.reference)
-        spots = to.spots(getattr(self, self.KEY))
+        spots = [to.spot(name) for name in to.members(getattr(self, self.KEY))]
 
         def find(request: PlaceRequest) -> Point | None:
             board, entity = request.board, request.entity
@@ -57,7 +57,7 @@ class FreeSpot(PlaceWord):
 
             free = [
                 spot
-                for spot in map(request.mirrored, spots())
+                for spot in (request.mirrored(read()) for read in spots)
                 if board.free(spot, self.clearance_m, entity) and request.fits(spot)
             ]
             free.sort(key=rank)

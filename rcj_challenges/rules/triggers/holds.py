@@ -69,10 +69,9 @@ expect:
             compile_limit(self.grace_s, to, none=0.0),
             None if every is None else compile_limit(every, to, TICK_S),
         )
-        tracker = HoldTracker(to.state, to.hits, to.watched(condition), condition.compile(to), *limits)
+        tracker = to.track(HoldTracker, None, to.watched(condition), condition.compile(to), *limits)
         # What it is about is known if one entity stands in the condition.
         tracker.bindings.append(to.binding(tracker.entities[0] if len(tracker.entities) == 1 else None))
-        to.track_alone(tracker)
 
     def describe(self, phrases: Phrases) -> str:
         if self.every_s and self.condition.is_always():

@@ -13,7 +13,6 @@ from rcj_challenges.rules.phrasing import metres, seconds
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Limit, compile_limit, limit_key, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
-from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, DueTracker
 
@@ -50,7 +49,7 @@ expect:
         limit_m = compile_limit(self.distance_m, to, most=inf, none=0.0)
         for entity in to.entities(self.entity):
             key = (entity, self.within_s, *limit_key(to, self.distance_m))
-            to.track(PathTracker, key, entity, self, limit_m, to.pose_history).bindings.append(to.binding(entity))
+            to.track(PathTracker, key, entity, self, limit_m).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
         distance = limit_words(phrases, self.distance_m, metres, "m")
@@ -70,19 +69,17 @@ class PathTracker(DueTracker):
     """
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, model: NoProgress, limit_m: Callable[[], float],
-        history: PoseHistory,
-    ) -> None:  # fmt: skip
+        self, state: RefereeState, hits: HitBuffer, entity: int, model: NoProgress, limit_m: Callable[[], float]
+    ) -> None:
         super().__init__(state, hits, entity)
         self._entity = entity
         self._read_length_m = limit_m
         self._length = 0.0
         self._pieces = ticks_from_s(model.within_s)
-        self._history = history
         self._paths: list[float] = [0.0]  # path up to each judged position since the start
         self._first = 0  # tick of the first of them
         self._short = False
-        history.need(self._pieces + 1)
+        state.pose_history.need(self._pieces + 1)
 
     def reset(self) -> None:
         self._paths, self._length = [0.0], self._read_length_m()
@@ -117,7 +114,7 @@ class PathTracker(DueTracker):
     def _add_up(self) -> None:
         paths = self._paths
         last = self._first + len(paths) - 1
-        poses = self._history.of(self._entity, last, self._state.tick)
+        poses = self._state.pose_history.of(self._entity, last, self._state.tick)
         pieces = [sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay)) for (ax, ay, _), (bx, by, _) in pairwise(poses)]
         paths += accumulate(pieces, initial=paths.pop())
         gone = len(paths) - 2 * self._pieces

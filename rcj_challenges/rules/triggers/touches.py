@@ -96,9 +96,9 @@ expect:
         to.contacts.used = True
         apart = substeps_apart(self.apart_s)
         tracker = to.track(TouchTracker, (apart,), to.contacts, apart)
-        names = zip(to.members(self.other), to.things(self.other), strict=True)
+        names = zip(to.members(self.other), to.entities(self.other), strict=True)
         others = [index for name, index in names if to.rule.other in (None, name)]
-        for entity in to.things(self.entity):
+        for entity in to.entities(self.entity):
             binding = to.binding(entity)
             for other in others:
                 if other != entity:

@@ -48,7 +48,7 @@ expect:
     def measure(self, to: Scope) -> Reader:
         state, facts = to.state, self.facts(to)
         members, members_now = to.group(self.count)
-        index = {member: to.entity(member) for member in members}
+        index = dict(zip(members, to.entities(members), strict=True))
         if not facts:
             return lambda _firing: sum(state.present[index[one]] for one in members_now())  # integers
         return lambda _firing: sum(all(fact(index[one]) for fact in facts) for one in members_now())  # integers

@@ -33,7 +33,7 @@ expect:
     SENTENCE = "the name of the last to touch the ball"
 
     def read(self, to: Scope) -> Reader:
-        contacts, touched = to.contacts, to.thing(self.last_touch)
+        contacts, (touched,) = to.contacts, to.entities(self.last_touch)
         contacts.follow_last(touched)
 
         def name(_firing: Firing) -> str | None:

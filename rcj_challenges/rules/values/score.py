@@ -62,7 +62,8 @@ expect:
         return read
 
     def members(self, to: Scope, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
-        return to.group_of_entrants(names)
+        entrants = to.entrants(names)
+        return entrants, lambda: entrants
 
     def describe(self, phrases: Phrases) -> str:
         since = {None: "", "half": f" in this {phrases.period}", "phase": " in this phase"}[self.since]

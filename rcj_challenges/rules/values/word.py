@@ -146,7 +146,7 @@ FACTS: dict[str, _Fact] = {
     "score": _Fact(_score, "the score", "each"),
     "halftime": _Fact(lambda to, _firing, _of: to.state.half.half, "the number of the {half}"),
     "match_id": _Fact(lambda to, _firing, _of: to.state.half.match_id, "the number of the match"),
-    "total_match_time_s": _Fact(lambda to, _firing, _of: to.half_length_s(), "the length of the {half} in s"),
+    "total_match_time_s": _Fact(lambda to, _firing, _of: to.state.half_length_s, "the length of the {half} in s"),
     "time_s": _Fact(lambda to, _firing, _of: s_from_ticks(to.state.clock), "the time in s"),
     "time_left_s": _Fact(
         lambda to, _firing, _of: s_from_ticks(max(0, to.state.half.ticks - to.state.clock)), "the time left in s"

@@ -33,7 +33,7 @@ expect:
 
     def test(self, to: Binder) -> Test:
         """Return whether the entity is to the right of the line."""
-        state, entity, x_m = to.state, to.entity(self.whom), self.right_of
+        state, entity, x_m = to.state, to.entities(self.whom)[0], self.right_of
         return lambda: state.poses[entity][0] > x_m
 
     def describe(self, phrases: Phrases) -> str:

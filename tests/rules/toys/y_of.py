@@ -32,7 +32,7 @@ expect:
 
     def measure(self, to: Scope) -> Reader:
         """Return what reads how far up it is."""
-        state, entity = to.state, to.entity(self.y_of)
+        state, entity = to.state, to.entities(self.y_of)[0]
         return lambda _firing: state.poses[entity][1]
 
     def describe(self, phrases: Phrases) -> str:
