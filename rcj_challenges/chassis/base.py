@@ -4,9 +4,9 @@ A robot moves in the plane (ADR 2): its joints are x, y and yaw, then those of i
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, ClassVar, Literal, NamedTuple, Protocol
+from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from pydantic import Field
 
@@ -123,20 +123,94 @@ class Physics:
     friction: float
 
 
-class Drive(Protocol):
+POSITION_GAIN_PS = 10.0
+"""A wheel on its way to a target angle turns at gain times what is left. Source: the Webots reference, Motor: the
+default of ``controlPID`` is a proportional gain of 10."""
+
+ARRIVED_RAD = 1e-6
+"""This close to its target angle a wheel is set on it and held."""
+
+
+class CommandedWheel:
+    """One wheel and its command.
+
+    Attributes:
+        at: where its angle stands among the angles of its drive.
+        commanded_radps: as set.
+        target_rad: ``inf``: by velocity; else the angle to go to and hold.
+        stopped: whether its robot is held, or has been taken off the field: it is braked, whatever is commanded.
+        turns_radps: how fast it turns now.
+    """
+
+    __slots__ = ("at", "commanded_radps", "stopped", "target_rad", "turns_radps")
+
+    def __init__(self, at: int) -> None:
+        self.at = at
+        self.commanded_radps = 0.0
+        self.target_rad = 0.0
+        self.stopped = False
+        self.turns_radps = 0.0
+
+    def turn(self, radps: float) -> None:
+        """Turn at this speed from now on."""
+        raise NotImplementedError
+
+
+class Drive:
     """The wheels of all robots with one kind of chassis, and their commands."""
+
+    def __init__(self, angles_rad: "memoryview[float]", wheels: Mapping[int, Sequence[CommandedWheel]]) -> None:
+        """Take the wheels of each robot by number, and the angles of all."""
+        self._angles_rad, self._wheels = angles_rad, wheels
+        self._on_the_way: list[CommandedWheel] = []
 
     def reset(self) -> None:
         """Hold every wheel where it is: none has been commanded yet."""
+        for wheels in self._wheels.values():
+            for wheel in wheels:
+                wheel.stopped = False
+                self._command(wheel, 0.0, self._angles_rad[wheel.at])
 
     def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
         """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
+        one = self._wheels[robot][wheel]
+        if position_rad == one.target_rad == math.inf and not one.stopped:  # nearly always only the speed changes
+            one.commanded_radps = velocity_radps
+            one.turn(velocity_radps)
+        else:
+            self._command(one, velocity_radps, position_rad)
 
     def set_stopped(self, robot: int, *, stopped: bool) -> None:
         """Brake the wheels of a robot that is held or taken off the field; let them go on as commanded afterwards."""
+        for wheel in self._wheels[robot]:
+            if wheel.stopped != stopped:
+                wheel.stopped = stopped
+                self._command(wheel, wheel.commanded_radps, wheel.target_rad)
 
     def before_substep(self, substep: int) -> None:
         """Turn the wheels as commanded, and let the grip follow the robots' yaw."""
+        raise NotImplementedError
+
+    def steer_to_targets(self) -> None:
+        """Turn wheels that go to an angle; set those that have arrived on it."""
+        for wheel in tuple(self._on_the_way):
+            left_rad = wheel.target_rad - self._angles_rad[wheel.at]
+            if abs(left_rad) <= ARRIVED_RAD:
+                self._angles_rad[wheel.at] = wheel.target_rad
+                wheel.turn(0.0)
+                self._on_the_way.remove(wheel)
+            else:
+                limit = abs(wheel.commanded_radps)
+                wheel.turn(max(-limit, min(limit, POSITION_GAIN_PS * left_rad)))
+
+    def _command(self, wheel: CommandedWheel, velocity_radps: float, target_rad: float) -> None:
+        wheel.commanded_radps, wheel.target_rad = velocity_radps, target_rad
+        if wheel in self._on_the_way:
+            self._on_the_way.remove(wheel)
+        by_velocity = math.isinf(target_rad)
+        wheel.turn(velocity_radps if by_velocity and not wheel.stopped else 0.0)
+        if not by_velocity and not wheel.stopped and self._angles_rad[wheel.at] != target_rad:
+            self._on_the_way.append(wheel)
 
 
 Shape = Literal["box", "round", "flat_front"]

@@ -6,11 +6,11 @@ across both.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from struct import Struct
 from typing import Literal
 
-from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, Drive, Grip, Mount, Physics, Wheel
+from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, CommandedWheel, Drive, Grip, Mount, Physics, Wheel
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.geometry.polygons import Point, box
 from rcj_challenges.rules.fields import Positive, described
@@ -92,13 +92,6 @@ kits:
         )
 
 
-POSITION_GAIN_PS = 10.0
-"""A wheel on its way to a target angle turns at gain times what is left. Source: the Webots reference, Motor: the
-default of ``controlPID`` is a proportional gain of 10."""
-
-ARRIVED_RAD = 1e-6
-"""This close to its target angle a wheel is set on it and held."""
-
 _FIRST_TURNING = 2
 """Index of the first of a robot's six coefficients that turn with it: left wheel x, y; across x, y; right wheel x,
 y."""
@@ -110,72 +103,60 @@ _FASTER_MPS = 1e-3
 """A robot that is faster than its wheel by more than this is slowed down by it."""
 
 
-class CommandedWheel:
-    """One wheel and its command.
+class _GrippingWheel(CommandedWheel):
+    """One wheel of two.
 
     Attributes:
         arm_m: how far left of the cube's centre it is; negative on the right.
         radius_m: of the wheel.
         drive_n, brake_n: its grip, see `DifferentialChassis.grip_n`.
-        commanded_radps: as set.
-        target_rad: ``inf``: by velocity; else the angle to go to and hold.
-        stopped: whether its robot is held, or has been taken off the field: it is braked, whatever is commanded.
-        turns_radps: how fast it turns now.
-        limit_n: the grip that was chosen for it.
         just_reversed: whether it has begun to turn this way in this tick.
         grip: where the limit of its grip stands.
-        at: where its angle stands in `qpos`, and its speed in `qvel`.
     """
 
-    __slots__ = (
-        "arm_m", "at", "brake_n", "commanded_radps", "drive_n", "grip", "just_reversed", "limit_n", "radius_m",
-        "stopped", "target_rad", "turns_radps",
-    )  # fmt: skip
+    __slots__ = ("arm_m", "brake_n", "drive_n", "grip", "just_reversed", "radius_m")
 
-    def __init__(self, arm_m: float, radius_m: float, grip_n: tuple[float, float], grip: int, at: int) -> None:
-        self.arm_m, self.radius_m = arm_m, radius_m
-        self.grip = grip
-        self.at = at
-        self.drive_n, self.brake_n = grip_n
-        self.commanded_radps = 0.0
-        self.target_rad = 0.0
-        self.turns_radps = 0.0
-        self.limit_n = -1.0
+    def __init__(self, mount: Mount, number: int, wheel: Wheel, grip_n: tuple[float, float, float]) -> None:
+        super().__init__(mount.at + YAW + 1 + number)
+        self.arm_m, self.radius_m = wheel.y_m, wheel.radius_m
+        self.drive_n, self.brake_n, _ = grip_n
         self.just_reversed = False
-        self.stopped = False
+        self.grip = mount.grip + 2 * number
+
+    def turn(self, radps: float) -> None:
+        if self.turns_radps != radps:
+            self.just_reversed = self.just_reversed or self.turns_radps * radps <= 0
+            self.turns_radps = radps
+
+    def slowing_n(self, along_mps: float, stops_mps: float) -> float:
+        """Return its grip if its robot moves against it at this speed: all of it from the second speed on."""
+        share = min(1.0, abs(along_mps) / stops_mps)
+        return self.drive_n + share * (self.brake_n - self.drive_n)
 
 
-class DifferentialDrive:
+_Robot = tuple[int, int, Sequence[_GrippingWheel]]
+"""Where a robot stands in `qpos` and `qvel`, its coefficients that turn, and its wheels."""
+
+
+class DifferentialDrive(Drive):
     """The wheels of all robots with two wheels."""
 
     def __init__(self, physics: Physics, robots: Sequence[tuple[Mount, DifferentialChassis]]) -> None:
-        self._qpos, self._qvel = physics.qpos, physics.qvel
-        self._coefficients, self._limits_n = physics.coefficients, physics.limits_n
-        self._pairs = {
+        wheels = {
             mount.robot: tuple(
-                CommandedWheel(
-                    wheel.y_m,
-                    wheel.radius_m,
-                    chassis.grip_n(physics.friction)[:2],
-                    mount.grip + 2 * number,
-                    mount.at + YAW + 1 + number,
-                )
+                _GrippingWheel(mount, number, wheel, chassis.grip_n(physics.friction))
                 for number, wheel in enumerate(chassis.wheels())
             )
             for mount, chassis in robots
         }
-        self._wheels = [wheel for pair in self._pairs.values() for wheel in pair]
-        # By robot: where it stands in `qpos` and `qvel`, its coefficients that turn, and its wheels.
-        self._robots = [
-            (mount.at, mount.coefficient + _FIRST_TURNING, pair)
-            for (mount, _), pair in zip(robots, self._pairs.values(), strict=True)
+        super().__init__(physics.qpos, wheels)
+        self._qpos, self._qvel = physics.qpos, physics.qvel
+        self._coefficients, self._limits_n = physics.coefficients, physics.limits_n
+        self._robots: list[_Robot] = [
+            (mount.at, mount.coefficient + _FIRST_TURNING, wheels[mount.robot]) for mount, _ in robots
         ]
-        self._ways = [
-            (at, at + 1, at + YAW, turning, turning + 1, left.arm_m, right.arm_m)
-            for at, turning, (left, right) in self._robots
-        ]
+        self._all = [wheel for _, _, some in self._robots for wheel in some]
         self._turning = [(at + YAW, self._coefficients.itemsize * turning) for at, turning, _ in self._robots]
-        self._reversed: list[CommandedWheel] = []
         # The speed that its whole grip stops in this time; without friction 0.
         self._stops_in_tick_mps = max(physics.friction * GRAVITY_MPS2 * TICK_S, 1e-9)
         self._stops_in_substep_mps = self._stops_in_tick_mps / SUBSTEPS_PER_TICK
@@ -185,29 +166,6 @@ class DifferentialDrive:
             for robot, (_, chassis) in zip(self._robots, robots, strict=True)
             if chassis.top_speed_mps > self._stops_in_tick_mps
         ]
-        self._on_the_way: list[CommandedWheel] = []
-
-    def reset(self) -> None:
-        """Hold every wheel where it is: none has been commanded yet."""
-        for wheel in self._wheels:
-            wheel.stopped = False
-            self._command(wheel, 0.0, self._qpos[wheel.at])
-
-    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
-        """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
-        one = self._pairs[robot][wheel]
-        if position_rad == one.target_rad == math.inf and not one.stopped:  # nearly always only the speed changes
-            one.commanded_radps = velocity_radps
-            self._turn(one, velocity_radps)
-        else:
-            self._command(one, velocity_radps, position_rad)
-
-    def set_stopped(self, robot: int, *, stopped: bool) -> None:
-        """Brake the wheels of a robot that is held or taken off the field; let them go on as commanded afterwards."""
-        for wheel in self._pairs[robot]:
-            if wheel.stopped != stopped:
-                wheel.stopped = stopped
-                self._command(wheel, wheel.commanded_radps, wheel.target_rad)
 
     def before_substep(self, substep: int) -> None:
         """Turn the wheels as commanded, and let the grip follow the robots' yaw.
@@ -216,20 +174,19 @@ class DifferentialDrive:
         to 0.3 rad.
         """
         if substep == 0:
-            self._begin_tick()
+            self._turn_all()
+            self._choose_grip()
         if self._on_the_way:
-            self._steer_to_targets()
+            self.steer_to_targets()
+            self._turn_all()
         self._turn_coefficients()
         if self._fast:
             self._choose_grip_of_fast()
 
-    def _begin_tick(self) -> None:
-        """Turn the wheels with the grip that they have at the robots' present speeds."""
-        self._turn_all()
-        self._choose_grip(self._speeds_along())
-        for wheel in self._reversed:
-            wheel.just_reversed = False
-        self._reversed.clear()
+    def _turn_all(self) -> None:
+        qvel = self._qvel
+        for wheel in self._all:
+            qvel[wheel.at] = wheel.turns_radps
 
     def _turn_coefficients(self) -> None:
         qpos, coefficients, write, cos = self._qpos, self._coefficients, _TURNING.pack_into, math.cos
@@ -238,28 +195,35 @@ class DifferentialDrive:
             ahead, aside = cos(yaw), cos(yaw - _QUARTER_TURN_RAD)
             write(coefficients, first_byte, ahead, aside, cos(yaw + _QUARTER_TURN_RAD), ahead, ahead, aside)
 
-    def _speeds_along(self) -> list[float]:
-        """The speed of each wheel's position along its robot, by the robot's heading a sub-step ago."""
+    def _speeds_along(self, robots: Sequence[_Robot]) -> Iterator[tuple[_GrippingWheel, float]]:
+        """Yield each wheel with the speed of its position along its robot, by the heading in the coefficients."""
         qvel, coefficients = self._qvel, self._coefficients
-        along_mps: list[float] = []
-        for x_at, y_at, yaw_at, ahead, aside, left_arm_m, right_arm_m in self._ways:
-            forward_mps = coefficients[ahead] * qvel[x_at] + coefficients[aside] * qvel[y_at]
-            spin = qvel[yaw_at]
-            along_mps += forward_mps - left_arm_m * spin, forward_mps - right_arm_m * spin
-        return along_mps
+        for at, turning, wheels in robots:
+            forward_mps = coefficients[turning] * qvel[at] + coefficients[turning + 1] * qvel[at + 1]
+            spin = qvel[at + YAW]
+            for wheel in wheels:
+                yield wheel, forward_mps - wheel.arm_m * spin
 
-    def _choose_grip(self, all_along_mps: list[float]) -> None:
-        """A driving wheel has less grip than one that slows or holds its robot, see `DifferentialChassis.grip_n`."""
-        for wheel, along_mps in zip(self._wheels, all_along_mps, strict=True):
+    def _choose_grip(self) -> None:
+        """Give wheels the grip that they have at the robots' present speeds.
+
+        A driving wheel has less grip than one that slows or holds its robot, see `DifferentialChassis.grip_n`. If it
+        has just been reversed, it has as much of its grip as gives the same speed at the end of the tick as changing
+        over at the moment of standstill. Otherwise a robot that moves against its wheels is pushed, and resists with
+        all its grip but for the slowest speeds, so that it comes to rest.
+        """
+        limits_n = self._limits_n
+        for wheel, along_mps in self._speeds_along(self._robots):
             turns = wheel.turns_radps
             if turns == 0.0:
                 limit_n = wheel.brake_n
             elif (along_mps >= 0.0) is (turns > 0.0):
                 limit_n = wheel.drive_n
             else:
-                limit_n = self._slowing_n(wheel, abs(along_mps))
-            if limit_n != wheel.limit_n:
-                wheel.limit_n = self._limits_n[wheel.grip] = limit_n
+                stops_mps = self._stops_in_tick_mps if wheel.just_reversed else self._stops_in_substep_mps
+                limit_n = wheel.slowing_n(along_mps, stops_mps)
+            limits_n[wheel.grip] = limit_n
+            wheel.just_reversed = False
 
     def _choose_grip_of_fast(self) -> None:
         """Choose again in each sub-step, and let what moves faster than its wheels be braked by them.
@@ -268,62 +232,13 @@ class DifferentialDrive:
         0.4 m/s after two thirds of the time that its grip needs, and one at 1 m/s was later at 0.5 m/s than at rest
         (ADR 2).
         """
-        qvel, coefficients, limits_n = self._qvel, self._coefficients, self._limits_n
-        for at, turning, pair in self._fast:
-            forward_mps = coefficients[turning] * qvel[at] + coefficients[turning + 1] * qvel[at + 1]
-            spin = qvel[at + YAW]
-            for wheel in pair:
-                along_mps = forward_mps - wheel.arm_m * spin
-                turns_mps = wheel.turns_radps * wheel.radius_m
-                if along_mps * turns_mps < 0.0:
-                    share = min(1.0, abs(along_mps) / self._stops_in_substep_mps)
-                    limits_n[wheel.grip] = wheel.drive_n + share * (wheel.brake_n - wheel.drive_n)
-                elif turns_mps == 0.0 or abs(along_mps) > abs(turns_mps) + _FASTER_MPS:
-                    limits_n[wheel.grip] = wheel.brake_n
-                else:
-                    limits_n[wheel.grip] = wheel.drive_n
-
-    def _slowing_n(self, wheel: CommandedWheel, along_mps: float) -> float:
-        """Return the grip of a wheel against which its robot moves, at this speed.
-
-        If it has just been reversed, it has as much of its grip as gives the same speed at the end of the tick as
-        changing over at the moment of standstill. Otherwise the robot is pushed against its wheels, and resists with
-        all its grip but for the slowest speeds, so that it comes to rest.
-        """
-        stops_mps = self._stops_in_tick_mps if wheel.just_reversed else self._stops_in_substep_mps
-        share = min(1.0, along_mps / stops_mps)
-        return wheel.drive_n + share * (wheel.brake_n - wheel.drive_n)
-
-    def _command(self, wheel: CommandedWheel, velocity_radps: float, target_rad: float) -> None:
-        wheel.commanded_radps, wheel.target_rad = velocity_radps, target_rad
-        if wheel in self._on_the_way:
-            self._on_the_way.remove(wheel)
-        by_velocity = math.isinf(target_rad)
-        self._turn(wheel, velocity_radps if by_velocity and not wheel.stopped else 0.0)
-        if not by_velocity and not wheel.stopped and self._qpos[wheel.at] != target_rad:
-            self._on_the_way.append(wheel)
-
-    def _turn(self, wheel: CommandedWheel, radps: float) -> None:
-        if wheel.turns_radps != radps:
-            if wheel.turns_radps * radps <= 0:
-                wheel.just_reversed = True
-                self._reversed.append(wheel)
-            wheel.turns_radps = radps
-
-    def _turn_all(self) -> None:
-        qvel = self._qvel
-        for wheel in self._wheels:
-            qvel[wheel.at] = wheel.turns_radps
-
-    def _steer_to_targets(self) -> None:
-        """Turn wheels that go to an angle; set those that have arrived on it."""
-        for wheel in tuple(self._on_the_way):
-            left_rad = wheel.target_rad - self._qpos[wheel.at]
-            if abs(left_rad) <= ARRIVED_RAD:
-                self._qpos[wheel.at] = wheel.target_rad
-                self._turn(wheel, 0.0)
-                self._on_the_way.remove(wheel)
+        limits_n = self._limits_n
+        for wheel, along_mps in self._speeds_along(self._fast):
+            turns_mps = wheel.turns_radps * wheel.radius_m
+            if along_mps * turns_mps < 0.0:
+                limit_n = wheel.slowing_n(along_mps, self._stops_in_substep_mps)
+            elif turns_mps == 0.0 or abs(along_mps) > abs(turns_mps) + _FASTER_MPS:
+                limit_n = wheel.brake_n
             else:
-                limit = abs(wheel.commanded_radps)
-                self._turn(wheel, max(-limit, min(limit, POSITION_GAIN_PS * left_rad)))
-        self._turn_all()
+                limit_n = wheel.drive_n
+            limits_n[wheel.grip] = limit_n

@@ -12,7 +12,18 @@ from typing import Literal
 
 from pydantic import Field
 
-from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, Drive, Grip, Mount, Physics, Shape, Wheel
+from rcj_challenges.chassis.base import (
+    GRAVITY_MPS2,
+    YAW,
+    Chassis,
+    CommandedWheel,
+    Drive,
+    Grip,
+    Mount,
+    Physics,
+    Shape,
+    Wheel,
+)
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.geometry.polygons import side
 from rcj_challenges.rules.fields import Positive, described
@@ -21,11 +32,6 @@ from rcj_challenges.rules.phrasing import degrees, listed, metres_alike
 _LEAST_SPAN = 0.2
 """Twice the area of the largest triangle of wheels on a circle of radius 1; that of three even wheels is 2.6. With
 less, a wheel slips a lot for what little it moves the robot in some direction."""
-
-_POSITION_GAIN_PS = 10.0
-"""As of the differential drive."""
-
-_ARRIVED_RAD = 1e-6
 
 
 class OmniChassis(Chassis):
@@ -121,97 +127,64 @@ kits:
         )
 
 
-class _Robot:
-    """The wheels of one robot and their commands.
+class _RollerWheel(CommandedWheel):
+    """One wheel with rollers.
 
     Attributes:
-        rows: of each wheel cosine and sine of its direction, its arm, and minus how fast its rim moves.
-        targets_rad: ``inf``: by velocity; else the angle to go to and hold.
-        stopped: whether the robot is held, or has been taken off the field.
+        row: cosine and sine of its direction, its arm, and minus how fast its rim moves.
     """
 
-    def __init__(self, mount: Mount, chassis: OmniChassis, coefficient_bytes: int) -> None:
-        wheels = chassis.wheels()
-        self.at, self.turned = mount.at, mount.turned
-        self.first_byte = coefficient_bytes * mount.coefficient
-        self.write = Struct(f"{4 * len(wheels)}d").pack_into
-        self.rows = [(math.cos(one.yaw_rad), math.sin(one.yaw_rad), chassis.wheel_ring_m, 0.0) for one in wheels]
-        self.radius_m = chassis.wheel_radius_m
-        self.turns_radps = [0.0] * len(wheels)
-        self.commanded_radps = [0.0] * len(wheels)
-        self.targets_rad = [math.inf] * len(wheels)
-        self.stopped = False
+    __slots__ = ("_radius_m", "row")
 
-    def turn(self, wheel: int, radps: float) -> None:
-        """Let a wheel turn from now on."""
-        if self.turns_radps[wheel] != radps:
-            self.turns_radps[wheel] = radps
-            cos, sin, arm_m, _ = self.rows[wheel]
-            self.rows[wheel] = cos, sin, arm_m, -self.radius_m * radps
+    def __init__(self, at: int, wheel: Wheel, arm_m: float) -> None:
+        super().__init__(at)
+        self._radius_m = wheel.radius_m
+        self.row = (math.cos(wheel.yaw_rad), math.sin(wheel.yaw_rad), arm_m, 0.0)
+
+    def turn(self, radps: float) -> None:
+        if self.turns_radps != radps:
+            self.turns_radps = radps
+            cos, sin, arm_m, _ = self.row
+            self.row = cos, sin, arm_m, -self._radius_m * radps
 
 
-class OmniDrive:
+class OmniDrive(Drive):
     """The wheels of all robots with omni wheels."""
 
     def __init__(self, physics: Physics, robots: Sequence[tuple[Mount, OmniChassis]]) -> None:
+        wheels = {
+            mount.robot: [
+                _RollerWheel(at, wheel, chassis.wheel_ring_m) for at, wheel in enumerate(chassis.wheels(), mount.turned)
+            ]
+            for mount, chassis in robots
+        }
+        super().__init__(physics.turned_rad, wheels)
         self._qpos, self._qvel, self._turned_rad = physics.qpos, physics.qvel, physics.turned_rad
         self._coefficients = physics.coefficients
-        self._robots = {mount.robot: _Robot(mount, chassis, physics.coefficients.itemsize) for mount, chassis in robots}
-
-    def reset(self) -> None:
-        """Hold every wheel where it is: none has been commanded yet."""
-        for one in self._robots.values():
-            one.stopped = False
-            for wheel in range(len(one.rows)):
-                self._command(one, wheel, 0.0, math.inf)
-
-    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
-        """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
-        self._command(self._robots[robot], wheel, velocity_radps, position_rad)
-
-    def set_stopped(self, robot: int, *, stopped: bool) -> None:
-        """Brake the wheels of a robot that is held or taken off the field; let them go on as commanded afterwards."""
-        one = self._robots[robot]
-        if one.stopped != stopped:
-            one.stopped = stopped
-            for wheel in range(len(one.rows)):
-                self._command(one, wheel, one.commanded_radps[wheel], one.targets_rad[wheel])
+        # By robot: where it stands in `qpos` and `qvel`, its coefficients, what writes them, and its wheels.
+        self._robots = [
+            (mount.at, physics.coefficients.itemsize * mount.coefficient, Struct(f"{4 * len(some)}d").pack_into, some)
+            for (mount, _), some in zip(robots, wheels.values(), strict=True)
+        ]
 
     def before_substep(self, substep: int) -> None:
         """Turn the wheels as commanded, and let the grip follow the robots' yaw."""
         qpos, coefficients = self._qpos, self._coefficients
         if substep == 0:
             self._begin_tick()
-        for one in self._robots.values():
-            yaw = qpos[one.at + YAW]
+        for at, first_byte, write, wheels in self._robots:
+            yaw = qpos[at + YAW]
             c, s = math.cos(yaw), math.sin(yaw)
             numbers: list[float] = []
-            for cos, sin, arm_m, rolls_mps in one.rows:
+            for wheel in wheels:
+                cos, sin, arm_m, rolls_mps = wheel.row
                 numbers += c * cos - s * sin, s * cos + c * sin, arm_m, rolls_mps
-            one.write(coefficients, one.first_byte, *numbers)
+            write(coefficients, first_byte, *numbers)
 
     def _begin_tick(self) -> None:
-        turned_rad = self._turned_rad
-        for one in self._robots.values():
-            self._qvel[one.at + YAW + 1] = 1.0
-            if not one.stopped:
-                for wheel, target_rad in enumerate(one.targets_rad):
-                    if target_rad != math.inf:
-                        self._steer(one, wheel, target_rad)
-            for at, radps in enumerate(one.turns_radps, one.turned):
-                if radps:
-                    turned_rad[at] += radps * TICK_S
-
-    def _steer(self, one: _Robot, wheel: int, target_rad: float) -> None:
-        """Turn a wheel that goes to an angle; set one that has arrived on it."""
-        at, limit_radps = one.turned + wheel, abs(one.commanded_radps[wheel])
-        left_rad = target_rad - self._turned_rad[at]
-        if abs(left_rad) <= _ARRIVED_RAD:
-            self._turned_rad[at] = target_rad
-            one.turn(wheel, 0.0)
-        else:
-            one.turn(wheel, max(-limit_radps, min(limit_radps, _POSITION_GAIN_PS * left_rad)))
-
-    def _command(self, one: _Robot, wheel: int, velocity_radps: float, target_rad: float) -> None:
-        one.commanded_radps[wheel], one.targets_rad[wheel] = velocity_radps, target_rad
-        one.turn(wheel, velocity_radps if target_rad == math.inf and not one.stopped else 0.0)
+        self.steer_to_targets()
+        for at, _, _, wheels in self._robots:
+            self._qvel[at + YAW + 1] = 1.0
+            for wheel in wheels:
+                if wheel.turns_radps:
+                    self._turned_rad[wheel.at] += wheel.turns_radps * TICK_S
