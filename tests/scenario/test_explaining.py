@@ -53,7 +53,7 @@ CASES = [
     ("result: {rank: [{scor: each, better: more}]}\n", "unknown-word result.rank[0] -> score"),
     ("result: {rank: [{score: each}]}\n", "missing-key result.rank[0]"),
     ("result: {rank: [{word: time_s, better: less}]}\n", "missing-key result.rank[0]"),
-    ("result: {rank: [{score: each, better: more}, {score: descending}]}\n", "old-language"),
+    ("result: {rank: [{score: each, better: more}, {score: descending}]}\n", "old-language result.rank[1]"),
     ("result: {rank: score}\n", "wrong-value result.rank"),
     ("zones: {1st: {shape: rect, x_min_m: 0}}\n", "wrong-name zones.1st"),
     ("tables: {r: {blau: {}, weiß: {}}}\nrules: {r: {repeat_for: r, triggers: [{trigger: half_started}], actions: [{action: emit, event: GO, payload: {who: {param: this}}}]}}\n",

@@ -240,12 +240,6 @@ expect:
     def test_the_groups_of_copies_need_no_use(self):
         assert not [one for one in lint(load_text(HEAD + RINGS)) if one.where.path.startswith("groups")]
 
-    def test_the_inline_form_of_version_1_becomes_a_table(self):
-        inline = "rules:\n  pay:\n    repeat_for: %s\n" + PAY.partition("repeat_for: teams\n")[2]
-        head = HEAD.replace("schema_version: 2", "schema_version: 1")
-        for rows in ("[yellow, blue]", "{yellow: {}, blue: {}}"):
-            assert load_text(head + inline % rows).resolved == loaded(PAY).resolved
-
     def test_the_inline_form_is_an_error_in_version_2(self):
         inline = PAY.replace("for: teams", "for: {yellow: {}}")
         found = [in_short(one) for one in problems_of(load_text, HEAD + inline)]

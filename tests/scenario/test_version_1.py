@@ -1,9 +1,13 @@
-"""Version 1 of the language is read as what it meant."""
+"""Version 1 of the language: in a file an error with the new text, in a record read as what it meant."""
+
+import json
+from pathlib import Path
 
 import pytest
+import yaml
 
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.load import load_resolved, load_text
+from rcj_challenges.scenario.load import load, load_resolved, load_text
 
 HEAD = "schema_version: %d\nid: it\ntitle: It\nextends: soccersim_v2\n"
 KEPT = "counters: {n: {}, laps: {per: robots}}\nflags: {seen: {per: robots}}\ntimers: {clock: {lasts_s: 9, starts: true}}\n"
@@ -12,7 +16,38 @@ RULE = "rules: {r: {%striggers: [{trigger: half_started}], conditions: [%s], act
 
 
 def scenario(version: int, action: str, condition: str = "", more: str = ""):
-    return load_text(HEAD % version + KEPT + RULE % (more, condition, action)).scenario
+    return in_version(version, KEPT + RULE % (more, condition, action))
+
+
+def in_version(version: int, sections: str):
+    """Return the scenario of a text; of one of version 1 what it is when all is written as the errors say."""
+    text = HEAD % version + sections
+    return load_text(rewritten(text) if version == 1 else text).scenario
+
+
+def old_forms(text: str):
+    with pytest.raises(ScenarioError) as caught:
+        load_text(text)
+    assert {one.code for one in caught.value.diagnostics} == {"old-language"}
+    return caught.value.diagnostics
+
+
+def spans(node: yaml.Node, key: yaml.Node | None = None):
+    """Yield line and column of each value, and the indices between which it stands with its key."""
+    start = node.start_mark
+    yield (start.line + 1, start.column + 1), (key or node).start_mark.index, node.end_mark.index
+    for one in node.value if isinstance(node, yaml.CollectionNode) else ():
+        yield from spans(one[1], one[0]) if isinstance(one, tuple) else spans(one)
+
+
+def rewritten(text: str) -> str:
+    """Return a text in which the new texts stand in the places of all errors about its language."""
+    found, sections = {place: span for place, *span in spans(yaml.compose(text))}, ""
+    for problem in reversed(old_forms(text)):
+        start, end = found[problem.where.line, problem.where.column]
+        new, *added = problem.help.removeprefix("write ").split(", and ")
+        text, sections = text[:start] + new + text[end:], "\n".join([sections, *added])
+    return f"{text}{sections}\n"
 
 
 def points(written: str) -> str:
@@ -114,7 +149,7 @@ def test_conditions(first, second):
         rule = (
             f"{{triggers: [{{trigger: holds, {waited_for}}}], conditions: [{condition}], actions: [{{action: end}}]}}"
         )
-        return load_text(f"{HEAD % version}{kept}rules: {{r: {rule}}}\n").scenario
+        return in_version(version, f"{kept}rules: {{r: {rule}}}\n")
 
     assert rules(1, first, f"condition: {first}") == rules(2, second, f"conditions: [{second}]")
 
@@ -137,7 +172,7 @@ def test_that_a_robot_is_held_was_a_value_of_its_own():
 def test_flags_were_turned_over_and_sequences_reset_by_actions_of_their_own(first, second):
     more = "sequences: {s: {per: yellow, steps: [blue_goal, yellow_goal]}}\n"
     rules = (
-        load_text(HEAD % version + KEPT + more + RULE % ("for_each: yellow, ", "", action)).scenario.rules
+        in_version(version, KEPT + more + RULE % ("for_each: yellow, ", "", action)).rules
         for version, action in enumerate((first, second), 1)
     )
     assert next(rules) == next(rules)
@@ -173,15 +208,10 @@ def recorded(rank: list[dict[str, object]], more: str = ""):
     ],
 )
 def test_ranking_of_a_record_is_converted_and_that_of_a_file_is_an_error_with_the_new_line(first, second):
-    (ranked,) = load_text(HEAD % 2 + RANK % second).scenario.result.rank
-    assert recorded([first]).result.rank == (ranked,)
+    ranked = in_version(2, RANK % second).result.rank
+    assert recorded([first]).result.rank == ranked
     for version in (1, 2):
-        with pytest.raises(ScenarioError) as caught:
-            load_text(HEAD % version + RANK % first)
-        (problem,) = caught.value.diagnostics
-        assert problem.code == "old-language"
-        help_ = problem.help.removeprefix("write ")
-        assert load_text(HEAD % 2 + RANK % help_).scenario.result.rank == (ranked,)
+        assert load_text(rewritten(HEAD % version + RANK % first)).scenario.result.rank == ranked
 
 
 def test_time_of_a_record_went_on_while_the_clock_stood_still():
@@ -191,8 +221,88 @@ def test_time_of_a_record_went_on_while_the_clock_stood_still():
     assert scenario.timers["played_s"].lasts_s is None
 
 
-def test_the_new_line_for_a_time_that_went_on_comes_with_its_timer():
+def test_the_new_text_for_a_time_that_went_on_comes_with_its_timer():
+    text = HEAD % 2 + PHASE + RANK % {"time": "ascending"}
+    assert load_text(rewritten(text)).scenario.timers["played"].starts
+    (problem,) = old_forms(text.replace("rules:", "timers: {played: {lasts_s: 5}}\nrules:"))
+    assert problem.help.endswith(", and timers: {played_s: {starts: true}}")
+    assert problem.where.path == "result.rank[0]"
+
+
+BLOCK = """\
+rules:
+  goal:
+    repeat_for: [yellow, blue]
+    for_each: robots
+    triggers:
+      - trigger: holds
+        for_s: 1
+        condition:
+          condition: half
+          equals: 1
+    conditions:
+      - {counter: n, at_most: {lowest: laps}}
+      - condition: counter
+        counter: n
+        at_least: {param: this}
+    actions:
+      - action: score
+        entrant: blue
+        points:
+          - 2
+          - {counter: n, weight: 3}
+"""
+
+
+def test_each_place_is_an_error_and_nothing_else_is_said_of_it():
+    found = [(one.where.line, one.where.column, one.where.path, one.help) for one in old_forms(HEAD % 1 + KEPT + BLOCK)]
+    assert found == [
+        (1, 17, "schema_version", "write schema_version: 2"),
+        (
+            10,
+            17,
+            "rules.goal.repeat_for",
+            "write repeat_for: goal, and tables: {goal: {yellow: {}, blue: {}}}",
+        ),
+        (
+            13,
+            9,
+            "rules.goal.triggers[0] (holds)",
+            "write {trigger: holds, for_s: 1, conditions: [{word: halftime, equals: 1}]}",
+        ),
+        (
+            19,
+            40,
+            "rules.goal.conditions[0] (counter).at_most.lowest",
+            "write lowest: {counter: laps, entity: others}",
+        ),
+        (
+            20,
+            9,
+            "rules.goal.conditions[1] (counter)",
+            "write {counter: n, at_least: {param: this}}",
+        ),
+        (
+            27,
+            11,
+            "rules.goal.actions[0] (score).points",
+            "write points: {sum: [2, {counter: n, times: 3}]}",
+        ),
+    ]
+
+
+def test_old_forms_of_a_base_are_errors_in_the_base(tmp_path):
+    for name, base in (("base", "soccersim_v2"), ("variant", "base.yaml")):
+        body = f"rules: {{{name}: {{triggers: [{{trigger: half_started}}], conditions: [{{condition: half}}], actions: []}}}}\n"
+        (tmp_path / f"{name}.yaml").write_text(f"id: {name}\ntitle: It\nextends: {base}\n{body}", encoding="utf-8")
     with pytest.raises(ScenarioError) as caught:
-        load_text(HEAD % 2 + PHASE + RANK % {"time": "ascending"})
-    line, _, timers = caught.value.diagnostics[0].help.removeprefix("write ").partition(", and ")
-    assert load_text(HEAD % 2 + PHASE + f"{timers}\n" + RANK % line).scenario.timers["played"].starts
+        load(tmp_path / "variant.yaml")
+    problems = caught.value.diagnostics
+    assert [Path(one.where.file).name for one in problems] == ["variant.yaml", "base.yaml"]
+    assert all("schema_version" in one.message for one in problems)
+
+
+def test_a_scenario_of_a_record_is_no_file_of_an_author(tmp_path):
+    resolved = load_text(HEAD % 2 + KEPT + RULE % ("", "", points("{timer: clock}"))).resolved
+    (tmp_path / "scenario.json").write_text(json.dumps({**resolved, "schema_version": 1}), encoding="utf-8")
+    assert load(tmp_path / "scenario.json").scenario.rules["r"].actions[0].points.round_ == "down"

@@ -343,7 +343,9 @@ class MatchExpectation(Strict):
 class Scenario(Strict):
     """A challenge: field, robots, rules and everything else that decides a result."""
 
-    schema_version: Literal[2] = described(..., "version of this format; files of version 1 are read too")
+    schema_version: Literal[2] = described(
+        ..., "version of this format; for a file of version 1, errors have the new texts"
+    )
     id: Name = described(..., "short name, after which record folders are named")
     title: str = described(..., "title for display", min_length=1, max_length=120)
     description: str = described(

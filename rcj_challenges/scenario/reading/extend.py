@@ -13,13 +13,12 @@ from typing import Any
 
 from rcj_challenges import __version__
 from rcj_challenges.core.code import Code
-from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.files import open_regular
 from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, did_you_mean, listing, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
-from rcj_challenges.scenario.reading.version_1 import ranking_to_version_2, to_version_2
-from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, on_one_line, parse_bytes, parse_text, refuse_size
+from rcj_challenges.scenario.reading.version_1 import new_texts, to_version_2
+from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text, refuse_size
 from rcj_challenges.scenario.resources import (
     names_in,
     own_of_that_name,
@@ -27,7 +26,7 @@ from rcj_challenges.scenario.resources import (
     scenarios_folder,
     shipped_scenarios,
 )
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, plain
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, in_names
 
 MAX_CHAIN = 5
 """How many base files may stand behind each other."""
@@ -74,7 +73,6 @@ class Source:
         """Wrap plain data; everything in it stands at the same place: the data as a whole."""
         tree = _mapping(_wrapped(data, Mark(shown)))
         to_version_2(tree)
-        ranking_to_version_2(tree)
         return cls(tree, shown)
 
 
@@ -100,8 +98,8 @@ def read_chain(source: Source) -> list[Source]:
     """Return a file and all that it extends, the outermost base first.
 
     Raises:
-        ScenarioError: a base is unknown, unreadable, extends itself, or the chain is too long; or a file ranks by what
-            version 1 had.
+        ScenarioError: a base is unknown, unreadable, extends itself, or the chain is too long; or a file has forms of
+            version 1.
     """
     chain = [source]
     _refuse_newer(source)
@@ -119,20 +117,19 @@ def read_chain(source: Source) -> list[Source]:
             raise _refused(mark, f"a file cannot extend itself: {files}")
         _refuse_newer(base)
         chain.append(base)
-    problems: list[Diagnostic] = []
-    for at, part in enumerate(chain):
-        bases = [base.tree for base in chain[at + 1 :]]
-        to_version_2(part.tree, bases)
-        problems += map(_old, ranking_to_version_2(part.tree, bases))
+    problems = [
+        mark.error(codes.OLD_LANGUAGE, _old(part), f"write {text}", in_names(part.tree, path))
+        for at, part in enumerate(chain)
+        for mark, (path, text) in new_texts(part.tree, [base.tree for base in chain[at + 1 :]]).items()
+    ]
     if problems:
         raise ScenarioError(problems)
     return chain[::-1]
 
 
-def _old(now: Entries) -> Diagnostic:
-    message, timer = "this form is of version 1 of the language", now.entries.get("timer")
-    timers = f", and timers: {{{plain(timer)}: {{starts: true}}}}" if timer is not None else ""
-    return now.mark.error(codes.OLD_LANGUAGE, message, f"write {on_one_line(plain(now))}{timers}")
+def _old(source: Source) -> str:
+    is_named = "schema_version" in source.tree.entries
+    return "this form is of version 1 of the language" + (", as is a file without schema_version" * (not is_named))
 
 
 _FORMS = (

@@ -5,19 +5,23 @@ This is the only module that knows how version 1 was written. Where nothing chan
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import Any
 
+from rcj_challenges.scenario.reading.yaml_strict import on_one_line
 from rcj_challenges.scenario.tree import (
     Entries,
     Items,
     Leaf,
     Mark,
     Node,
+    Path,
     child,
     entries_of,
     items_of,
     node_at,
     nodes_in,
+    plain,
     value_of,
 )
 
@@ -27,8 +31,49 @@ _OF_ALL = {"counter": "sum", "flag": "highest", "timer": "highest"}
 """What was read of something that is kept for several, without ``entity``."""
 
 
+def new_texts(tree: Entries, bases: Sequence[Entries] = ()) -> dict[Mark, tuple[Path, str]]:
+    """Bring a file to version 2; return, by place, the path of what was changed there and its new text."""
+    before, found = plain(tree), dict[Mark, tuple[Path, str]]()
+    to_version_2(tree, bases)
+    for path, now in sorted(_changes(before, tree), key=lambda change: _is_of_section(change[0])):
+        first, text = found.get(now.mark, (path, ""))
+        found[now.mark] = first, f"{text}, and {_written(path, now)}" if text else _written(path, now)
+    return found
+
+
+def _is_of_section(path: Path) -> bool:
+    """Return whether a path leads to an entry of a section: such are added for what is changed elsewhere."""
+    return len(path) == 2
+
+
+def _written(path: Path, node: Node) -> str:
+    key, value = path[-1], plain(node)
+    if isinstance(key, int):
+        return on_one_line(value)
+    return on_one_line({path[0]: {key: value}} if _is_of_section(path) else {key: value})[1:-1]
+
+
+def _changes(before: Any, now: Node, path: Path = ()) -> Iterator[tuple[Path, Node]]:
+    """Yield the smallest parts that are not as they were before: values of keys, entries of lists or sections."""
+    if isinstance(before, dict) and isinstance(now, Entries) and (len(path) < 2 or before.keys() == now.entries.keys()):
+        for key, node in now.entries.items():
+            yield from _changes(before.get(key, None if path else {}), node, (*path, key))
+    elif isinstance(before, list) and isinstance(now, Items) and len(before) == len(now.items):
+        for index, node in enumerate(now.items):
+            yield from _changes(before[index], node, (*path, index))
+    elif before != plain(now):
+        yield path, now
+
+
 def to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> None:
-    """Bring a file of version 1, or one that names no version, to version 2; ``bases``: what it extends."""
+    """Bring a tree to version 2; ``bases``: what it extends.
+
+    What entrants are ranked by is converted in any, the rest in one of version 1, or one that names no version.
+    """
+    ranked = items_of(node_at(tree, ("result", "rank")))
+    for at, one in enumerate(ranked):
+        if isinstance(one, Entries) and "better" not in one.entries:
+            ranked[at] = _ranked(one, tree, bases) or one
     version = tree.entries.get("schema_version")
     if version is not None and (value_of(version) != 1 or value_of(version) is True):
         return
@@ -40,17 +85,6 @@ def to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> None:
         _Rule(rule, trees).convert()
     for node in _mappings(tree):
         _convert_value(node, trees)
-
-
-def ranking_to_version_2(tree: Entries, bases: Sequence[Entries] = ()) -> list[Entries]:
-    """Bring what entrants are ranked by to version 2, whatever version the file names; return what was not."""
-    items = items_of(node_at(tree, ("result", "rank")))
-    found: list[Entries] = []
-    for at, one in enumerate(items):
-        if isinstance(one, Entries) and "better" not in one.entries and (ranked := _ranked(one, tree, bases)):
-            items[at] = ranked
-            found.append(ranked)
-    return found
 
 
 def _ranked(one: Entries, tree: Entries, bases: Sequence[Entries]) -> Entries | None:
@@ -177,7 +211,7 @@ class _Rule:
             action.put("action", Leaf("set_flag", mark), mark)
             action.put("to", Leaf("opposite", mark), mark)
         elif word == "sequence":
-            action.put("action", Leaf("reset", mark), mark)
+            action.entries["action"] = Leaf("reset", action.entries["action"].mark)
             action.entries.pop("do", None)
 
     def _amount(self, action: Entries, key: str) -> None:
@@ -227,15 +261,15 @@ class _Rule:
             entries: dict[str, Node] = {"counter": bound.entries[word]}
             if self._group and _per(self._trees, "counters", counter) in ("", self._group):
                 entries["entity"] = Leaf("others", bound.mark)
-            node.put(key, _mapping(bound.mark, **{word: _mapping(bound.mark, **entries)}), node.key_marks[key])
+            bound.entries[word] = _mapping(bound.entries[word].mark, **entries)
 
 
 _KEYS = {
     "in_zone": {"zone": "in"}, "looks": {"towards": "looks", "heading_rad": "looks"}, "speed": {"entity": "speed"},
     "way": {"entity": "way"}, "drawn": {}, "last_touch": {"entity": "last_touch", "by": "equals"},
     "told": {"entity": "told"}, "sequence_at": {"step": "equals"}, "spot_free": {"spot": "spot_free"},
-    "any_of": {"conditions": "any_of"}, "counter": {}, "flag": {}, "timer": {}, "held": {}, "half": {}, "distance": {},
-    "all_of": {},
+    "any_of": {"conditions": "any_of"}, "all_of": {"conditions": "any_of"}, "distance": {"entity": "distance"},
+    "half": {"condition": "word"}, "held": {}, "counter": {}, "flag": {}, "timer": {},
 }  # fmt: skip
 """By condition of version 1: keys that have other names now."""
 
@@ -244,21 +278,19 @@ def _convert_condition(node: Entries) -> None:
     word, mark = _text(node, "condition"), node.mark
     if word not in _KEYS:
         return
-    node.drop("condition")
+    if word == "half":
+        node.put("condition", Leaf("halftime", mark), mark)
+    else:
+        node.drop("condition")
     if word == "last_touch" and "entity" not in node.entries:
         node.put("entity", Leaf("ball", mark), mark)
     _rename(node, **_KEYS[word])
     if word == "held":
         node.put("held", Leaf(value=True, mark=mark), mark)
-    elif word == "half":
-        node.put("word", Leaf("halftime", mark), mark)
-    elif word == "distance" and {"entity", "to"} <= node.entries.keys():
-        ends = Items([node.entries["entity"], node.entries["to"]], mark)
-        _rename(node, entity="distance")
-        node.put("distance", ends, mark)
+    elif word == "distance" and {"distance", "to"} <= node.entries.keys():
+        node.put("distance", Items([node.entries["distance"], node.entries["to"]], mark), mark)
         node.drop("to")
-    elif word == "all_of" and isinstance(several := node.entries.get("conditions"), Items):
-        node.drop("conditions")
+    elif word == "all_of" and isinstance(several := node.entries.get("any_of"), Items):
         node.put("any_of", Items([several], several.mark), mark)
 
 
