@@ -79,7 +79,7 @@ class RuleBinder(NameScope):
 
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         state, bodies = self.state, self._context.bodies
-        spots = [self.spot(name) for name in self.members(names)]
+        spots = [self.locate(name) for name in self.members(names)]
 
         def free() -> Iterable[bool]:
             board = PlacementBoard(state, bodies, set())

@@ -21,7 +21,7 @@ from rcj_challenges.scenario.rule_effects import roles_in, with_names
 from rcj_challenges.scenario.shapes import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
-from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
+from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target, point_of
 
 _T = TypeVar("_T")
 _W = TypeVar("_W")
@@ -149,13 +149,7 @@ class NameScope:
         return regions[0] if len(regions) == 1 else AnyOf(regions)
 
     def _decided(self, draw: str, resolve: Callable[[str], _T]) -> Callable[[], _T]:
-        """Return a function that finds among what a draw may decide, each resolved once, what it has decided.
-
-        Another name stands for itself.
-        """
-        if draw not in self.roster.drawn:
-            named = resolve(draw)
-            return lambda: named
+        """Return a function that finds among what a draw may decide, each resolved once, what it has decided."""
         draws, found = self.state.draws, {one: resolve(one) for one in self.roster.drawn[draw]}
         return lambda: found[str(draws[draw])]
 
@@ -183,40 +177,22 @@ class NameScope:
         name = self.roster.entities[entity]
         return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
 
-    def spot(self, name: str) -> Callable[[], Point]:
-        spots, draws = self.state.spots, self.state.draws
-        if name in self.roster.drawn:
-            return lambda: spots[str(draws[name])]
-        return lambda: spots[name]
-
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
-        if isinstance(what, tuple):
-            point = Anchor(lambda _board: what)
-            return lambda: point
-        return self._decided(self.members(what)[0], self._one_anchor)
+        return self._find(what, lambda entity: lambda: entity)
 
     def places(self, what: Names | Point) -> Callable[[Poses, int | None], list[Point]]:
         if isinstance(what, tuple) and not isinstance(what[0], str):
             return lambda _poses, _entity: [what]
-        anchors = [self.anchor(one) for one in self.members(what)]
+        anchors, present = [self.anchor(one) for one in self.members(what)], self.state.present
         if len(anchors) == 1:
-            return lambda poses, _entity: [anchors[0]().locate(poses)]
-        present = self.state.present
+            return lambda poses, _entity: [point_of(anchors[0](), poses)]
 
         def find(poses: Poses, entity: int | None) -> list[Point]:
             found = (anchor() for anchor in anchors)
-            counting = (one for one in found if one.entity is None or (present[one.entity] and one.entity != entity))
-            return [one.locate(poses) for one in counting]
+            counting = (one for one in found if not isinstance(one, int) or (present[one] and one != entity))
+            return [point_of(one, poses) for one in counting]
 
         return find
-
-    def _one_anchor(self, name: str) -> Anchor:
-        roster = self.roster
-        index = roster.index.get(name, len(roster.entities))
-        if index < len(roster.entities):
-            return Anchor(lambda board: board.poses[index][:2], entity=index)
-        spots = self.state.spots
-        return Anchor(lambda _board: spots[name])
 
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
         return point_sampler({name: self.scenario.zones[name] for name in self.members(zones)})
@@ -232,25 +208,26 @@ class NameScope:
         index = self.roster.index.get(name, len(self.state.present))
         return index >= len(self.state.present) or self.state.present[index]
 
-    def locate(self, what: Name | Point) -> Callable[[], tuple[float, ...] | None]:
+    def locate(self, what: Name | Point) -> Callable[[], Any]:
+        state = self.state
+        return self._find(what, lambda entity: lambda: state.poses[entity] if state.present[entity] else None)
+
+    def _find(self, what: Name | Point, of_entity: Callable[[int], Callable[[], Any]]) -> Callable[[], Any]:
+        """Return a function that finds where something is; of an entity, given by its index, what that returns."""
         if isinstance(what, tuple):
             return lambda: what
-        name = self.members(what)[0]
-        if name not in self.roster.drawn:
-            return self._locate_one(name)
-        decided = self._decided(name, self._locate_one)
-        return lambda: decided()()  # noqa: PLW0108 - which one is known when it is called
-
-    def _locate_one(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        state, roster, zone = self.state, self.roster, self.scenario.zones.get(name)
-        if zone is not None:
+        name, state, roster = self.members(what)[0], self.state, self.roster
+        if name in roster.drawn:
+            decided = self._decided(name, lambda one: self._find(one, of_entity))
+            return lambda: decided()()  # noqa: PLW0108 - which one is known when it is called
+        if (zone := self.scenario.zones.get(name)) is not None:
             centre = centre_of(zone)
             return lambda: centre
         if name in state.spots:
             return lambda: state.spots[name]
         index = roster.index[name]
         if index < len(roster.entities):
-            return lambda: state.poses[index] if state.present[index] else None
+            return of_entity(index)
         middle = middle_of(self.scenario.obstacles[name])
         return lambda: middle
 

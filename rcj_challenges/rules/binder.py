@@ -63,7 +63,7 @@ class Scope(Protocol):
     def region(self, names: Names) -> "Region":
         """Return the region of a zone, or of several zones taken as one."""
 
-    def locate(self, what: Name | Point) -> Callable[[], tuple[float, ...] | None]:
+    def locate(self, what: Name | Point) -> Callable[[], Any]:
         """Return a function that finds the pose [x, y, yaw] of a thing, [x, y] of a spot, a zone's centre or a point.
 
         None while it is off the field.
@@ -86,11 +86,8 @@ class Scope(Protocol):
     def entrants(self, names: Names) -> tuple[str, ...]:
         """Return the entrants that names stand for; of a robot that for which it plays."""
 
-    def spot(self, name: str) -> Callable[[], Point]:
-        """Return a function that reads the present place of a spot, or of the spot that a draw decided."""
-
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
-        """Return a function that finds the entity, spot or point of a name; of a draw's name, what it decided."""
+        """Return a function that finds the anchor of a name; of a draw's name, of what it decided."""
 
     def places(self, what: Names | Point) -> Callable[[Poses, int | None], list[Point]]:
         """Return a function that finds where things are: of several those on the field, without one entity."""

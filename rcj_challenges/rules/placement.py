@@ -18,7 +18,7 @@ from rcj_challenges.rules.refs import ANCHOR, DRAW, ENTITIES, FLAG
 from rcj_challenges.rules.values import NUMBERS, amount_words, compile_amount
 from rcj_challenges.rules.values.draw import NumberDraw
 from rcj_challenges.tracking.bound_rules import NO_FIRING
-from rcj_challenges.tracking.places import Board, CompiledFacing, CompiledKick
+from rcj_challenges.tracking.places import Board, CompiledFacing, CompiledKick, point_of
 from rcj_challenges.tracking.state import RefereeState
 
 # --- which way it looks -----------------------------------------------------------------------------------------------
@@ -53,7 +53,7 @@ def compile_facing(facing: Facing, to: Scope, entity: int) -> CompiledFacing:
             target = to.anchor(facing.towards)
 
             def towards(board: Board, _entity: int, point: Point, _rng: Random) -> float:
-                x, y = target().locate(board)
+                x, y = point_of(target(), board)
                 here = (x, y) == point
                 return start_yaw if here else atan2(y - point[1], x - point[0])
 

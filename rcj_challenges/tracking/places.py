@@ -37,11 +37,13 @@ class StartPose(NamedTuple):
     noise_m: Point
 
 
-class Anchor(NamedTuple):
-    """Something beside which things are put: where it is now, and the entity's index; None: a spot or a point."""
+Anchor = int | Point
+"""Something beside which things are put: an entity, by its index, or where a spot or a point is."""
 
-    locate: Callable[[Poses], Point]
-    entity: int | None = None
+
+def point_of(anchor: Anchor, field: Poses) -> Point:
+    """Return where an anchor is on a field."""
+    return field.poses[anchor][:2] if isinstance(anchor, int) else anchor
 
 
 @dataclass(frozen=True, slots=True)

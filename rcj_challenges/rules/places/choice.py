@@ -1,6 +1,5 @@
 """The place ``choice``."""
 
-from collections.abc import Callable
 from typing import Annotated
 
 from pydantic import Field
@@ -36,15 +35,10 @@ expect:
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return a function that draws a spot or point; a draw among them stands for the spot that it decided."""
-        options = [option for one in self.choice for option in _options(one, to)]
+        named = ((one,) if isinstance(one, tuple) else to.members(one) for one in self.choice)
+        options = [to.locate(option) for one in named for option in one]
         return PlaceResolver(self.finder(to, lambda rng: rng.choice(options)()), random=len(options) > 1)
 
     def describe(self, phrases: Phrases) -> str:
         options = [phrases.any_of(one) if isinstance(one, str) else phrases.point(one) for one in self.choice]
         return self.with_distance(f"on {listed(options, 'or')}", phrases)
-
-
-def _options(option: Name | Point, to: Scope) -> list[Callable[[], Point]]:
-    if isinstance(option, tuple):
-        return [lambda: option]
-    return [to.spot(name) for name in to.members(option)]

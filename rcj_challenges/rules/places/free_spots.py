@@ -45,7 +45,7 @@ class FreeSpot(PlaceWord):
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         places = None if self.reference is None else to.places(self.reference)
-        spots = [to.spot(name) for name in to.members(getattr(self, self.KEY))]
+        spots = [to.locate(name) for name in to.members(getattr(self, self.KEY))]
 
         def find(request: PlaceRequest) -> Point | None:
             board, entity = request.board, request.entity

@@ -7,6 +7,7 @@ from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, Plac
 from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import listed, metres_alike
 from rcj_challenges.rules.refs import ANCHOR
+from rcj_challenges.tracking.places import point_of
 
 
 class RelativeTo(PlaceWord):
@@ -45,11 +46,11 @@ expect:
 
         def find(request: PlaceRequest) -> Point:
             anchor = anchored()
-            x, y = anchor.locate(request.board)
-            if anchor.entity is None:
+            x, y = point_of(anchor, request.board)
+            if not isinstance(anchor, int):
                 return request.mirrored((x + dx, y + dy))
             if self.turns:
-                return turned([(dx, dy)], (x, y, request.board.poses[anchor.entity][2]))[0]
+                return turned([(dx, dy)], (x, y, request.board.poses[anchor][2]))[0]
             offset_x, offset_y = request.mirrored((dx, dy))
             return (x + offset_x, y + offset_y)
 

@@ -37,7 +37,7 @@ expect:
     SENTENCE = "on the spot “mark”"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        read = to.spot(to.members(self.spot)[0])
+        read = to.locate(self.spot)
         return PlaceResolver(lambda request: request.mirrored(read()))
 
     def fixed(self) -> Name:

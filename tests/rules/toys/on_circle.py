@@ -7,6 +7,7 @@ from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, Plac
 from rcj_challenges.rules.fields import Name, Point, Positive, described
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ANCHOR
+from rcj_challenges.tracking.places import point_of
 
 
 class OnCircle(PlaceWord):
@@ -37,7 +38,7 @@ expect:
         centre, radius_m = to.anchor(self.on_circle), self.radius_m
 
         def find(request: PlaceRequest) -> Point:
-            turn, (x, y) = request.rng.uniform(0, tau), centre().locate(request.board)
+            turn, (x, y) = request.rng.uniform(0, tau), point_of(centre(), request.board)
             return request.mirrored((x + radius_m * cos(turn), y + radius_m * sin(turn)))
 
         return PlaceResolver(find, random=True)
