@@ -29,6 +29,7 @@ from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
 from rcj_challenges.rules.fields import NAME_RULE, Colour, DurationS, EventName, Name, Names, Point
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.placement import Facing, Kick, Mirror, Towards
 from rcj_challenges.rules.places import PLACES, At
 from rcj_challenges.rules.ranked import AnyRanked, Ranked
@@ -40,7 +41,6 @@ from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.flag import FlagValue
 from rcj_challenges.rules.values.folded import Several
-from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.json_schema import keywords, sentence_of
 from rcj_challenges.scenario.models import designs, field, places, robots, scenario, state
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none

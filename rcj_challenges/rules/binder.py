@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from random import Random
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import Any, Protocol, TypeVar
 
+from rcj_challenges.geometry.regions import Region
 from rcj_challenges.rules.effects import Places
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
@@ -14,9 +15,6 @@ from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
 from rcj_challenges.tracking.sequences import SequenceTracker
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import Tracker, TrackerManager
-
-if TYPE_CHECKING:
-    from rcj_challenges.geometry.regions import Region
 
 _T = TypeVar("_T", bound=Tracker)
 _W = TypeVar("_W")
@@ -60,7 +58,7 @@ class Scope(Protocol):
     def entities(self, names: Names) -> tuple[int, ...]:
         """Return the indices of entities, or of fixed obstacles and walls, which can be touched too."""
 
-    def region(self, names: Names) -> "Region":
+    def region(self, names: Names) -> Region:
         """Return the region of a zone, or of several zones taken as one."""
 
     def locate(self, what: Name | Point) -> Callable[[], Any]:

@@ -7,11 +7,10 @@ from typing import Any, ClassVar, NamedTuple
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, Test, ValueWord
 from rcj_challenges.rules.fields import Name, Names, Point, described
+from rcj_challenges.rules.number import Amount, NumberValue, amount_words, compile_amount
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.valued import Valued, with_keys_of
-from rcj_challenges.rules.values import Amount, amount_words, compile_amount
-from rcj_challenges.rules.values.number import NumberValue
 
 
 class _Bound(NamedTuple):

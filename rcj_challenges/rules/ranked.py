@@ -7,13 +7,13 @@ from typing import Annotated, Any, ClassVar, Literal
 from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.rules.base import KeyedVocabulary, KeyedWord, Number, Reader, Scope
 from rcj_challenges.rules.fields import described
+from rcj_challenges.rules.number import Amount, NumberValue
 from rcj_challenges.rules.valued import Valued, by_key, with_keys_of
 from rcj_challenges.rules.values import NUMBERS, compile_amount
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.folded import FoldedValue
 from rcj_challenges.rules.values.kept import KeptValue
-from rcj_challenges.rules.values.number import Amount, NumberValue
 from rcj_challenges.rules.values.score import ScoreValue
 from rcj_challenges.rules.values.word import WordValue
 

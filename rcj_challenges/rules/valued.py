@@ -5,7 +5,7 @@ from typing import Any, ClassVar, TypeVar, cast
 from pydantic import create_model
 
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.values.number import NumberValue
+from rcj_challenges.rules.number import NumberValue
 
 _V = TypeVar("_V", bound="Valued")
 

@@ -15,10 +15,10 @@ from pydantic.fields import FieldInfo
 
 from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.conditions.any_of import AnyOf
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.placement import DrawnSpeed
 from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
 from rcj_challenges.rules.values.draw import DrawnDuration, NumberDraw
-from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, tags, without_none
 from tests.whole_scenarios.fitting import FIT, sentence

@@ -6,10 +6,10 @@ from typing import Annotated, Any, Literal
 from rcj_challenges.core.amounts import plain, round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Number, Phrases
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.number import takes_away
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_COUNTER
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
-from rcj_challenges.rules.values.number import takes_away
 
 
 class Count(Action):

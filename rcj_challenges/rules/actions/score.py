@@ -9,10 +9,10 @@ from rcj_challenges.rules.actions.count import bounds_words, change_bound
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Name, Strict, described
+from rcj_challenges.rules.number import takes_away
 from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE, counted
 from rcj_challenges.rules.refs import SCORED, THING
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
-from rcj_challenges.rules.values.number import takes_away
 
 
 class LastToucher(Strict):

@@ -3,7 +3,7 @@
 from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.message import Message
-from rcj_challenges.rules.values.number import NumberValue
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.values.reported import ReportedValue
 
 

@@ -11,6 +11,7 @@ from pydantic import Field
 
 from rcj_challenges.rules.base import Binder, Firing, KeyedVocabulary, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, NotNegative, Positive, Scalar
+from rcj_challenges.rules.number import NUMBERS, Amount, amount_words, compile_amount
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
@@ -22,7 +23,6 @@ from rcj_challenges.rules.values.folded import FoldedValue
 from rcj_challenges.rules.values.highest import HighestValue
 from rcj_challenges.rules.values.last_touch import LastTouchValue
 from rcj_challenges.rules.values.lowest import LowestValue
-from rcj_challenges.rules.values.number import NUMBERS, Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.position_of import PositionValue
 from rcj_challenges.rules.values.reported import ReportedValue
 from rcj_challenges.rules.values.role import RoleValue

@@ -5,9 +5,9 @@ from typing import Annotated
 from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.facts import Fact, Facts
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.phrasing import listed, quoted
 from rcj_challenges.rules.refs import ENTITIES, FLAG
-from rcj_challenges.rules.values.number import NumberValue
 
 
 class CountValue(Facts, NumberValue):

@@ -1,16 +1,14 @@
 """The value ``counter``."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.number import amount_words
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import COUNTER
 from rcj_challenges.rules.values.kept import KeptValue
-from rcj_challenges.rules.values.number import amount_words
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.comparison import Compared
 
 
 class CounterValue(KeptValue):
@@ -50,7 +48,7 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         return self.kept_words(phrases)
 
-    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+    def describe_compared(self, phrases: Phrases, by: Compared) -> str:
         subject = self.several(phrases, by)
         if subject is None:
             return ""

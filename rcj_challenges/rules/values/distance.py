@@ -6,9 +6,9 @@ from pydantic import Field
 
 from rcj_challenges.rules.base import Firing, Phrases, Reader, Scope
 from rcj_challenges.rules.fields import MM_DIGITS, Name, Names, Point, described, is_named
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import MEASURED_TO
-from rcj_challenges.rules.values.number import NumberValue
 
 _Several = Annotated[tuple[Name, ...], Field(strict=False, min_length=1)]
 

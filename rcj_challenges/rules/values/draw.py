@@ -7,9 +7,9 @@ from typing import Annotated
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import LONGEST_S, Name, Scalar, described
+from rcj_challenges.rules.number import NumberValue, as_number
 from rcj_challenges.rules.phrasing import listed, quoted_measure, seconds
 from rcj_challenges.rules.refs import DRAW
-from rcj_challenges.rules.values.number import NumberValue, as_number
 
 _NUMBERS, _DURATIONS = replace(DRAW, numbers=(-inf, inf)), replace(DRAW, numbers=(TICK_S, LONGEST_S))
 

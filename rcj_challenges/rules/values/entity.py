@@ -1,17 +1,15 @@
 """The value ``entity``: facts about what is on the field."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from rcj_challenges.rules.base import Binder, Phrases, Reader, Scope
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.facts import Facts
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import ENTITY
-from rcj_challenges.rules.values.number import NumberValue
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.comparison import Compared
 
 
 class FactValue(Facts, NumberValue):
@@ -87,7 +85,7 @@ expect:
     def about(self) -> Names | None:
         return None if self.in_ is self.touching is self.looks is None else self.entity
 
-    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+    def describe_compared(self, phrases: Phrases, by: Compared) -> str:
         if by.limits():
             return ""
         subject = phrases.quantified(by.of or "any", self.entity, negate=by.negate)

@@ -1,15 +1,13 @@
 """The value ``flag``."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope, Test
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import number, quoted
 from rcj_challenges.rules.refs import FLAG
 from rcj_challenges.rules.values.kept import KeptValue
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.comparison import Compared
 
 
 class FlagValue(KeptValue):
@@ -64,7 +62,7 @@ expect:
     def describe_times(self, phrases: Phrases, factor: float) -> str:
         return f"{number(factor)} if {self.kept_words(phrases)} is set"
 
-    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+    def describe_compared(self, phrases: Phrases, by: Compared) -> str:
         if by.limits():
             return ""
         subject = self.several(phrases, by)

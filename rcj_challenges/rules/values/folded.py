@@ -6,8 +6,8 @@ from typing import Annotated
 from pydantic import Field
 
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.number import NUMBERS, Amount, NumberValue, as_one_number, read_number, scored
 from rcj_challenges.rules.phrasing import listed
-from rcj_challenges.rules.values.number import NUMBERS, Amount, NumberValue, as_one_number, read_number, scored
 
 _SEVERAL = NUMBERS.beside(
     {},

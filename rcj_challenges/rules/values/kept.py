@@ -1,17 +1,15 @@
 """What the values of counters, flags and timers share: each of them may be kept per entity."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 from rcj_challenges.rules.base import Phrases, Scope
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.phrasing import Subject, quoted_measure
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import WHOSE
-from rcj_challenges.rules.values.number import NumberValue
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.comparison import Compared
 
 
 class KeptValue(NumberValue):
@@ -59,7 +57,7 @@ class KeptValue(NumberValue):
         """Return it with whose it is: ``the counter “laps” of Y1``; of one of several without that."""
         return phrases.kept(self.KEY, self.kept, self.entity if isinstance(self.entity, str) else None)
 
-    def several(self, phrases: Phrases, by: "Compared") -> Subject | None:
+    def several(self, phrases: Phrases, by: Compared) -> Subject | None:
         """Return the owners of whose values a condition is; None where one value is read, or all as one."""
         return owners_asked(phrases, self.KEY, self.kept, self.entity, by.of, negate=by.negate)
 

@@ -6,8 +6,8 @@ from rcj_challenges.core.amounts import round_score
 from rcj_challenges.core.messages import number_in
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.refs import ROBOT
-from rcj_challenges.rules.values.number import NumberValue
 
 
 class ReportedValue(NumberValue):

@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import SCORED
-from rcj_challenges.rules.values.number import NumberValue
 
 
 class ScoreValue(NumberValue):

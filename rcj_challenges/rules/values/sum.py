@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from rcj_challenges.core.amounts import clamp_to_max
 from rcj_challenges.rules.base import Number, Phrases
 from rcj_challenges.rules.fields import described
+from rcj_challenges.rules.number import Term, amount_words, terms_of
 from rcj_challenges.rules.values.folded import FoldedValue, Several
-from rcj_challenges.rules.values.number import Term, amount_words, terms_of
 
 
 class SumValue(FoldedValue):

@@ -1,17 +1,15 @@
 """The value ``timer``."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.base import Phrases, Reader, Scope, Test
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import TIMER
 from rcj_challenges.rules.values.kept import KeptValue
 from rcj_challenges.tracking.state import Clock
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.comparison import Compared
 
 
 class TimerValue(KeptValue):
@@ -69,7 +67,7 @@ expect:
             return self.kept_words(phrases)
         return f"the longest running timer {quoted(self.timer)} of {phrases.all_of(owners).text}"
 
-    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+    def describe_compared(self, phrases: Phrases, by: Compared) -> str:
         subject, run_for, no = self.several(phrases, by), by.compared(phrases, " s"), " not" * by.negate
         if not run_for and subject is None:
             return f"{self.kept_words(phrases)} is{no} running"

@@ -4,9 +4,9 @@ from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import MM_DIGITS, Names, described
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import ENTITY
-from rcj_challenges.rules.values.number import NumberValue
 
 
 class WayValue(NumberValue):

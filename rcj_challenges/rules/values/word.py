@@ -1,19 +1,17 @@
 """The value ``word``: a fact of the match."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 from rcj_challenges.core.amounts import plain
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import phrasing
 from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
+from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.number import NumberValue, as_number
 from rcj_challenges.rules.refs import ENTRANT
-from rcj_challenges.rules.values.number import NumberValue, as_number
 from rcj_challenges.tracking.state import RefereeState
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.comparison import Compared
 
 
 class WordValue(NumberValue):
@@ -79,15 +77,15 @@ class NumberWord(WordValue):
         None, "for score: the entrant; if omitted: that of the current entity"
     )
 
-    def holds_always(self, by: "Compared") -> bool:
+    def holds_always(self, by: Compared) -> bool:
         """Return whether it holds in any half, as rules say it that count time."""
         return self._is_plain_half(by) and by.at_least == 1 and len(by.limits()) == 1 and not by.negate
 
-    def _is_plain_half(self, by: "Compared") -> bool:
+    def _is_plain_half(self, by: Compared) -> bool:
         is_half = self.word == "halftime" and not self.is_computed() and by.above is None and by.below is None
         return is_half and all(isinstance(limit, int) for _, limit in by.limits())
 
-    def describe_compared(self, phrases: Phrases, by: "Compared") -> str:
+    def describe_compared(self, phrases: Phrases, by: Compared) -> str:
         if not self._is_plain_half(by):
             return ""
         half = phrases.period

@@ -4,8 +4,8 @@ from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.refs import ENTITY
-from rcj_challenges.rules.values.number import NumberValue
 
 
 class YOf(NumberValue):

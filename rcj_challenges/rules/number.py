@@ -73,6 +73,7 @@ class NumberValue(ValueWord):
         return lambda firing: None if (number := exact(firing)) is None else round(number, digits)
 
     def read(self, to: Scope) -> Reader:
+        """Return a function that reads the value; it can be written as JSON."""
         return compile_amount(self, to) if self.is_computed() else self.as_it_is(to)
 
     def number(self, to: Scope) -> Reader:
@@ -176,6 +177,7 @@ class NumberValue(ValueWord):
         return words if factor == 1 else f"{number(factor)} times {words}"
 
     def describe_all(self, phrases: Phrases) -> str:
+        """Return the value in words with what stands beside it."""
         return amount_words(phrases, self) if self.is_computed() else self.describe(phrases)
 
     def terms(self) -> tuple["Term", ...]:
