@@ -16,7 +16,6 @@ from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Names, Point, Scalar
 from rcj_challenges.rules.placement import Mirror
 from rcj_challenges.scenario.rule_effects import alternatives, roles_in
-from rcj_challenges.scenario.shapes import on_floor
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.trackers import Tracker
 
@@ -97,7 +96,7 @@ class RuleBinder(NameScope):
         return self.scenario.draws[draw].values
 
     def is_on_floor(self, point: Point) -> bool:
-        return on_floor(point, self._context.floor)
+        return self._context.bodies.floor.has(point)
 
     def layout_jobs(self, layout: str, mirror: Mirror | None) -> list[PlacementJob]:
         context, each = self._context, self.rule.each

@@ -4,18 +4,8 @@ from __future__ import annotations
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.referee.state import State
-from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.outlines import (
-    TOUCHING_M,
-    Floor,
-    Outline,
-    Part,
-    closer_than,
-    disc,
-    obstacle_outline,
-    robot_outline,
-)
+from rcj_challenges.scenario.outlines import TOUCHING_M, Floor, closer_than, outline_of
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.shapes import start_pose
 from rcj_challenges.tracking.places import Point
@@ -27,24 +17,14 @@ class Bodies:
     Attributes:
         outlines: by entity index.
         fixed: parts of fixed obstacles, which count as bodies; the field's walls and goals do not.
+        floor: the field between its walls, with its goals.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster) -> None:
-        outlines: list[Outline] = []
-        for name in roster.entities:
-            if name in scenario.robots:
-                outlines.append(robot_outline(chassis_of(scenario, name)))
-            elif name in scenario.balls:
-                outlines.append(disc(scenario.balls[name].radius_m))
-            else:
-                outlines.append(obstacle_outline(scenario.obstacles[name]))
-        fixed: list[Part] = []
-        for name, obstacle in scenario.obstacles.items():
-            if name not in roster.entities:
-                fixed += obstacle_outline(obstacle).at(start_pose(scenario, name))
-        self.outlines = tuple(outlines)
-        self.fixed = tuple(fixed)
-        self._floor = Floor(scenario.field)
+        self.outlines = tuple(outline_of(scenario, name) for name in roster.entities)
+        fixed = [name for name in scenario.obstacles if name not in roster.entities]
+        self.fixed = tuple(part for name in fixed for part in outline_of(scenario, name).at(start_pose(scenario, name)))
+        self.floor = Floor(scenario.field)
 
     def fits(self, entity: int, pose: Pose2, others: dict[int, Pose2], clearance_m: float) -> bool:
         """Return whether an entity, given by its index, can stand at a pose beside others.
@@ -62,7 +42,7 @@ class Bodies:
                 return False
         if any(closer_than(part, body, least) for part in parts for body in self.fixed):
             return False
-        return self._floor.holds(parts)
+        return self.floor.holds(parts)
 
 
 class PlacementBoard:

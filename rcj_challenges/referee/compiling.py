@@ -17,7 +17,6 @@ from rcj_challenges.rules.placement import Mirror
 from rcj_challenges.rules.values import Lasts, Value, compile_duration, compile_value
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.shapes import floor_parts
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, HitBuffer, Reader
 from rcj_challenges.tracking.clock_events import ClockEvents
@@ -35,7 +34,6 @@ class CompileContext:
         emit: writes an event; set by the engine.
         enter_phase: enters a phase; set by the engine.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
-        floor: what lies inside the walls.
     """
 
     def __init__(self, state: State) -> None:
@@ -51,7 +49,6 @@ class CompileContext:
         self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self._by_draw: dict[str, list[Tracker]] = {}
-        self.floor = floor_parts(state.scenario.field)
         self._sequences: dict[str, dict[str | None, SequenceTracker]] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}

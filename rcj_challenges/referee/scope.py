@@ -18,7 +18,7 @@ from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS, as_tuple
 from rcj_challenges.scenario.rule_effects import roles_in, with_names
-from rcj_challenges.scenario.shapes import centre_of, middle_of, start_noise_m, start_pose
+from rcj_challenges.scenario.shapes import centre_of, start_noise_m, start_pose
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target, point_of
@@ -228,7 +228,7 @@ class NameScope:
         index = roster.index[name]
         if index < len(roster.entities):
             return of_entity(index)
-        middle = middle_of(self.scenario.obstacles[name])
+        middle = start_pose(self.scenario, name)
         return lambda: middle
 
     def targets(self, named: Names | Point) -> tuple[Target, ...]:

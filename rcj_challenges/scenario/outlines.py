@@ -11,11 +11,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import inf, sqrt
 
-from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import Point, box, distance_to_segment_m, turned
-from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Obstacle, Wall
+from rcj_challenges.scenario.kits import chassis_of
+from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Wall
+from rcj_challenges.scenario.models.scenario import Scenario
 
 Points = tuple[Point, ...]
 
@@ -63,32 +64,22 @@ def counter_clockwise(points: Points) -> Points:
     return points if add_up(ax * by - ay * bx for (ax, ay), (bx, by) in pairs) >= 0.0 else points[::-1]
 
 
-def robot_outline(chassis: Chassis) -> Outline:
-    """Return a robot's outline: its body, and its wheels."""
-    return Outline.of(*map(Part, chassis.footprint()))
-
-
 def disc(radius_m: float) -> Outline:
     """Return the outline of a ball or a cylinder."""
     return Outline.of(Part(((0.0, 0.0),), radius_m))
 
 
-def obstacle_outline(obstacle: Obstacle) -> Outline:
-    """Return an obstacle's outline, in the frame of where it stands at the start; a wall's in that of the field."""
-    match obstacle:
-        case Cylinder():
-            return disc(obstacle.radius_m)
-        case Box():
-            return Outline.of(Part(box(*obstacle.size_m)))
-        case Wall():
-            return Outline.of(_wall_part(obstacle))
-
-
-def _wall_part(wall: Wall) -> Part:
-    (ax, ay), (bx, by) = wall.from_m, wall.to_m
-    length = sqrt((bx - ax) ** 2 + (by - ay) ** 2)
-    nx, ny = -(by - ay) / length * wall.thickness_m / 2, (bx - ax) / length * wall.thickness_m / 2
-    return Part(counter_clockwise(((ax + nx, ay + ny), (bx + nx, by + ny), (bx - nx, by - ny), (ax - nx, ay - ny))))
+def outline_of(scenario: Scenario, name: str) -> Outline:
+    """Return the outline of a robot, with its wheels, of a ball or of an obstacle."""
+    if name in scenario.robots:
+        return Outline.of(*map(Part, chassis_of(scenario, name).footprint()))
+    match scenario.balls.get(name) or scenario.obstacles[name]:
+        case Wall(from_m=(ax, ay), to_m=(bx, by), thickness_m=thickness_m):
+            return Outline.of(Part(box(sqrt((bx - ax) ** 2 + (by - ay) ** 2), thickness_m)))
+        case Box(size_m=size_m):
+            return Outline.of(Part(box(*size_m)))
+        case Ball(radius_m=radius_m) | Cylinder(radius_m=radius_m):
+            return disc(radius_m)
 
 
 def extent(parts: Iterable[Part]) -> tuple[float, float, float, float]:
@@ -201,13 +192,16 @@ class Floor:
     def __init__(self, field: FieldModel) -> None:
         # With where they reach from and to, so that few have to be looked at closely.
         self._walls = [(*extent([wall]), wall) for wall in _solid_walls(field)]
-        deepest_m = max((goal.depth_m for goal in field.bounds.goals.values()), default=0.0)
-        self._half_box_m = (field.bounds.width_m / 2, field.bounds.length_m / 2 + deepest_m)
+        self._reach_m = field.bounds.reach_m
+
+    def has(self, point: Point) -> bool:
+        """Return whether a point is on the floor."""
+        return self.holds((Part((point,)),))
 
     def holds(self, parts: Sequence[Part]) -> bool:
         """Return whether a body stands on the floor without being in a wall."""
         x_0, x_1, y_0, y_1 = extent(parts)
-        if abs(x_0 + x_1) / 2 > self._half_box_m[0] or abs(y_0 + y_1) / 2 > self._half_box_m[1]:
+        if abs(x_0 + x_1) / 2 > self._reach_m[0] or abs(y_0 + y_1) / 2 > self._reach_m[1]:
             return False
         near = (
             wall

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.geometry.polygons import Point, side, turned
+from rcj_challenges.geometry.polygons import Point, turned
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
-from rcj_challenges.scenario.models.field import Cylinder, FieldModel, Goal, Obstacle, Wall
+from rcj_challenges.scenario.models.field import Cylinder, FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.outlines import counter_clockwise
 
 Box = tuple[float, float, float, float]
 """Left, bottom, right and top, in m."""
@@ -44,8 +42,7 @@ def visible_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
     If it begins behind the field, it ends where the goals do.
     """
     if any(abs(part) >= _FAR_M for point in _whole_outline(zone) for part in point):
-        depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
-        w, h = field.width_m / 2, field.length_m / 2 + depth_m
+        w, h = field.reach_m
         return floor_outline(zone, field) or zone_outline(zone, (-w, -h, w, h)) or zone_outline(zone, paper)
     return zone_outline(zone, paper)
 
@@ -153,17 +150,6 @@ def _range_words(axis: str, low: float | None, high: float | None) -> str:
 # --- where things are -------------------------------------------------------------------------------------------------
 
 
-def floor_parts(field: FieldModel) -> list[tuple[Point, ...]]:
-    """Return the convex parts of the floor, inside the walls if any: the field, then its goals, counter-clockwise."""
-    outlines = (floor_of(field.bounds), *(goal_floor(goal, field) for goal in field.goals.values()))
-    return [counter_clockwise(tuple(outline)) for outline in outlines]
-
-
-def on_floor(point: Point, parts: Sequence[tuple[Point, ...]]) -> bool:
-    """Return whether a point is on the floor."""
-    return any(all(side(a, b, point) >= 0 for a, b in zip(p, (*p[1:], p[0]), strict=True)) for p in parts)
-
-
 def centre_of(zone: Zone) -> tuple[float, float] | None:
     """Return the centre of a zone; None of one that has none, or several points with equal right to the name."""
     if zone.inverted:
@@ -176,18 +162,6 @@ def centre_of(zone: Zone) -> tuple[float, float] | None:
     return None
 
 
-def middle_of(obstacle: Obstacle) -> tuple[float, float, float]:
-    """Return the pose of a fixed obstacle, [x, y, yaw] in m and rad: a wall from its middle along its line."""
-    match obstacle:
-        case Wall():
-            (ax, ay), (bx, by) = obstacle.from_m, obstacle.to_m
-            return (ax + bx) / 2, (ay + by) / 2, math.atan2(by - ay, bx - ax)
-        case BoxObstacle():
-            return *obstacle.centre_m, obstacle.yaw_rad
-        case Cylinder():
-            return *obstacle.centre_m, 0.0
-
-
 def at_start(zone: Zone, scenario: Scenario) -> Zone:
     """Return a zone where it is at the start: a circle with an anchor is beside that."""
     if not isinstance(zone, CircleZone) or zone.anchor is None:
@@ -198,17 +172,19 @@ def at_start(zone: Zone, scenario: Scenario) -> Zone:
 
 
 def start_pose(scenario: Scenario, name: str) -> Pose2:
-    """Return the start of a robot, ball or obstacle, without noise: x and y in m, yaw in rad.
-
-    A wall has no place of its own: its ends say where it stands.
-    """
+    """Return the start of a robot, ball or obstacle, without noise: x and y in m, yaw in rad; of a wall its middle."""
     if name in scenario.robots:
         start = scenario.robots[name].start
         return start.x_m, start.y_m, start.yaw_rad
     if name in scenario.balls:
         return (*scenario.balls[name].start_m, 0.0)
-    obstacle = scenario.obstacles[name]
-    return (0.0, 0.0, 0.0) if isinstance(obstacle, Wall) else middle_of(obstacle)
+    match scenario.obstacles[name]:
+        case Wall(from_m=(ax, ay), to_m=(bx, by)):
+            return (ax + bx) / 2, (ay + by) / 2, math.atan2(by - ay, bx - ax)
+        case BoxObstacle(centre_m=(x, y), yaw_rad=yaw_rad):
+            return x, y, yaw_rad
+        case Cylinder(centre_m=(x, y)):
+            return x, y, 0.0
 
 
 def start_noise_m(scenario: Scenario, name: str) -> tuple[float, float]:

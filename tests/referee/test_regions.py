@@ -12,7 +12,7 @@ from rcj_challenges.geometry.regions import cell_beside_square, crossing
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
-from rcj_challenges.scenario.outlines import Part, closer_than, gap_m, robot_outline
+from rcj_challenges.scenario.outlines import Outline, Part, closer_than, gap_m
 from rcj_challenges.scenario.roster import Roster
 
 number = st.floats(-1, 1, allow_subnormal=False).map(lambda value: round(value, 3))
@@ -103,7 +103,7 @@ def test_distance_to_a_segment_is_to_its_nearest_point():
 
 
 class TestOutlines:
-    ROBOT = robot_outline(DifferentialChassis())
+    ROBOT = Outline.of(*map(Part, DifferentialChassis().footprint()))
 
     def gap(self, yaw_a: float, x: float, y: float, yaw_b: float) -> float:
         parts = self.ROBOT.at((0.0, 0.0, yaw_a)), self.ROBOT.at((x, y, yaw_b))

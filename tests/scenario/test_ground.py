@@ -8,14 +8,14 @@ from hypothesis import strategies as st
 
 from rcj_challenges.chassis.differential import DifferentialChassis
 from rcj_challenges.geometry.polygons import box, is_simple
-from rcj_challenges.scenario.outlines import Part, disc, extent, overlap, robot_outline
+from rcj_challenges.scenario.outlines import Outline, Part, disc, extent, overlap
 from tests.scenario.writing import complaints, errors, loaded, rule
 
 ROBOT = DifferentialChassis()
 
 
 def robot_at(x, y, yaw=0.0, chassis=ROBOT):
-    return robot_outline(chassis).at((x, y, yaw))
+    return Outline.of(*map(Part, chassis.footprint())).at((x, y, yaw))
 
 
 # --- outlines ---------------------------------------------------------------------------------------------------------

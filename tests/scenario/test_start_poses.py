@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import numpy as np
 import pytest
 
@@ -26,7 +28,7 @@ POSES = {
     "crate": (0.0, 0.5, 0.7),
     "post": (0.5, 0.1, 0.0),
     "bar": (-0.4, 0.1, 0.5),
-    "wall": (0.0, 0.0, 0.0),
+    "wall": (0.3, 0.0, pi / 2),
 }
 
 

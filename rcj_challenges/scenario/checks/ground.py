@@ -14,16 +14,7 @@ from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.outlines import (
-    TOUCHING_M,
-    Floor,
-    Part,
-    disc,
-    extent,
-    obstacle_outline,
-    overlap,
-    robot_outline,
-)
+from rcj_challenges.scenario.outlines import TOUCHING_M, Floor, Part, extent, outline_of, overlap
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import fixed_spots
 from rcj_challenges.scenario.shapes import centre_of, start_pose
@@ -164,12 +155,9 @@ def _overlaps(bodies: list[Body]) -> Iterator[Diagnostic]:
 
 
 def _movable(scenario: Scenario) -> Iterator[Body]:
-    for name, robot in scenario.robots.items():
-        kit = scenario.kits.get(robot.kit)
-        if kit is not None:
-            yield Body(name, ("robots", name, "start"), robot_outline(kit.chassis).at(start_pose(scenario, name)))
-    for name, ball in scenario.balls.items():
-        yield Body(name, ("balls", name, "start_m"), disc(ball.radius_m).at(start_pose(scenario, name)))
+    robots = (("robots", name, "start") for name, robot in scenario.robots.items() if robot.kit in scenario.kits)
+    for path in (*robots, *(("balls", name, "start_m") for name in scenario.balls)):
+        yield Body(path[1], path, outline_of(scenario, path[1]).at(start_pose(scenario, path[1])))
 
 
 def obstacle_bodies(scenario: Scenario) -> Iterator[Body]:
@@ -177,5 +165,5 @@ def obstacle_bodies(scenario: Scenario) -> Iterator[Body]:
     for name, obstacle in scenario.obstacles.items():
         if _is_a_point(obstacle):
             continue
-        parts = obstacle_outline(obstacle).at(start_pose(scenario, name))
+        parts = outline_of(scenario, name).at(start_pose(scenario, name))
         yield Body(name, ("obstacles", name), parts, fixed=isinstance(obstacle, Wall) or not obstacle.movable)

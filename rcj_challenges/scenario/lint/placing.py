@@ -14,9 +14,9 @@ from rcj_challenges.scenario.checks.ground import obstacle_bodies
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.outlines import Floor, Part, disc, overlap, robot_outline
+from rcj_challenges.scenario.outlines import Floor, Part, disc, outline_of, overlap
 from rcj_challenges.scenario.rule_effects import fixed_spots
-from rcj_challenges.scenario.shapes import clipped, floor_parts, on_floor, zone_outline
+from rcj_challenges.scenario.shapes import clipped, start_pose, zone_outline
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import effects_in
 
@@ -29,9 +29,8 @@ class OffTheField(LintRule, code="off-the-field"):
     at_key = True
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
-        parts = floor_parts(ctx.scenario.field)
-        xs, ys = zip(*(corner for part in parts for corner in part), strict=True)
-        box = min(xs), min(ys), max(xs), max(ys)
+        (w, h), floor = ctx.scenario.field.bounds.reach_m, Floor(ctx.scenario.field)
+        box = -w, -h, w, h
         for name, zone in ctx.scenario.zones.items():
             if not zone.inverted and not zone_outline(zone, box):
                 yield self.at(("zones", name), noun="zone", name=name)
@@ -39,7 +38,7 @@ class OffTheField(LintRule, code="off-the-field"):
             if gate.anchor is None and not clipped([gate.from_m, gate.to_m], box):
                 yield self.at(("gates", name), noun="gate", name=name)
         for name, spot in fixed_spots(ctx.scenario).items():
-            if not on_floor((spot.x_m, spot.y_m), parts):
+            if not floor.has((spot.x_m, spot.y_m)):
                 yield self.at(("spots", name), noun="spot", name=name)
 
 
@@ -140,13 +139,10 @@ class NoRoom(LintRule, code="no-room"):
 
 def _outline(name: str, point: Point, placing: Places, ctx: LintContext) -> tuple[Part, ...] | None:
     """Return the parts of a ball or a robot at a point; None for anything else."""
-    if name in ctx.scenario.balls:
-        return disc(ctx.scenario.balls[name].radius_m).at((*point, 0.0))
-    robot = ctx.scenario.robots.get(name)
-    if robot is None:
+    scenario = ctx.scenario
+    if name not in {*scenario.robots, *scenario.balls}:
         return None
-    chassis = chassis_of(ctx.scenario, name)
-    yaw_rad = robot.start.yaw_rad if placing.facing == "start" else placing.facing
+    yaw_rad = start_pose(scenario, name)[2] if placing.facing == "start" or name in scenario.balls else placing.facing
     if not isinstance(yaw_rad, int | float):
-        return disc(chassis.size_m / 2).at((*point, 0.0))
-    return robot_outline(chassis).at((*point, yaw_rad))
+        return disc(chassis_of(scenario, name).size_m / 2).at((*point, 0.0))
+    return outline_of(scenario, name).at((*point, yaw_rad))

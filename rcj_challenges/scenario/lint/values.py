@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import pi, radians
+from math import hypot, pi, radians
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.timing import ticks_from_s
@@ -96,8 +96,7 @@ class NeverReached(LintRule, code="never-reached"):
 
     def check(self, ctx: LintContext) -> Iterator[Diagnostic]:
         field = ctx.scenario.field.bounds
-        depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
-        across_m = (field.width_m**2 + (field.length_m + 2 * depth_m) ** 2) ** 0.5
+        across_m = 2 * hypot(*field.reach_m)
         too_far = f"the floor is {field.width_m:g} m by {field.length_m:g} m"
         chassis = (chassis_of(ctx.scenario, robot) for robot in ctx.scenario.robots)
         drives_mps = max((one.top_speed_mps for one in chassis), default=0.0)

@@ -78,6 +78,12 @@ class FieldModel(Strict):
         return self.corner_cut_m if self.walls else 0.0
 
     @property
+    def reach_m(self) -> tuple[float, float]:
+        """How far it reaches from its centre, along x and along y: its goals included."""
+        deepest_m = max((goal.depth_m for goal in self.goals.values()), default=0.0)
+        return self.width_m / 2, self.length_m / 2 + deepest_m
+
+    @property
     def bounds(self) -> "FieldModel":
         """The field itself or, without walls, all of the floor as a larger one."""
         if self.walls:

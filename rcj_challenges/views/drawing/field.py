@@ -13,7 +13,7 @@ from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.outlines import extent, obstacle_outline
+from rcj_challenges.scenario.outlines import extent, outline_of
 from rcj_challenges.scenario.roster import Roster, with_each
 from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.shapes import (
@@ -104,8 +104,7 @@ def picture_of(scenario: Scenario, roster: Roster) -> Picture:
 def _reach_m(scenario: Scenario, poses: Mapping[str, Pose2 | None]) -> Point:
     """Return how far the drawing reaches along x and y: without walls to all that stands or is drawn on the floor."""
     field, floor = scenario.field, scenario.field.bounds
-    depth = max((goal.depth_m for goal in field.goals.values()), default=0.0)
-    x, y = field.width_m / 2, field.length_m / 2 + depth
+    x, y = field.reach_m
     if field.walls:
         return x, y
     most_x, most_y = floor.width_m / 2, floor.length_m / 2
@@ -275,7 +274,7 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
         if pose is None:
             yield Entry(f"{name}: {_PLACED.format(scenario.match.period.a)}")
             continue
-        style, parts = f'fill="{hex_of(obstacle.colour)}" stroke="#212529"', obstacle_outline(obstacle).at(pose)
+        style, parts = f'fill="{hex_of(obstacle.colour)}" stroke="#212529"', outline_of(scenario, name).at(pose)
         for part in parts:
             if len(part.points) == 1:
                 paper.circle(part.points[0], part.radius_m, style, name)
