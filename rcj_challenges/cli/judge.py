@@ -117,14 +117,13 @@ def _judge_one(folder: Path, scenario: Scenario | None, overrides: Sequence[str]
     from rcj_challenges.records.referee_log import log_of_result, read_referee_log
     from rcj_challenges.records.result import read_result
     from rcj_challenges.records.trajectory import Trajectory
-    from rcj_challenges.scenario.dump import dumped
     from rcj_challenges.scenario.load import load_recorded
 
     result = read_result(folder)
     if scenario is None:
         scenario = read_scenario(folder)
         if overrides:
-            scenario = load_recorded(dumped(scenario), read_unresolved(folder), overrides).scenario
+            scenario = load_recorded(scenario.dumped(), read_unresolved(folder), overrides).scenario
     trajectory = Trajectory.open(folder)
     judgement = rejudge(trajectory, scenario)
     log = read_referee_log(folder)

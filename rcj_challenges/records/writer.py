@@ -36,7 +36,6 @@ from rcj_challenges.records.referee_log import copies_of_rules, log_lines
 from rcj_challenges.records.reflog import event_line, events_of, reflog_lines
 from rcj_challenges.records.result import MemberResult, RunResult, versions
 from rcj_challenges.records.trajectory import TrajectoryWriter
-from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
@@ -90,7 +89,7 @@ class RecordWriter:
         self._now = now
         self._started = now()
         self._header = header
-        scenario = dumped(header.scenario)
+        scenario = header.scenario.dumped()
         self._inputs = inputs_digest(header.scenario, header.seed, header.programs)
         self._states = StatesDigest()
         self._copies = copies_of_rules(header.unresolved)

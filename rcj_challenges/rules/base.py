@@ -93,7 +93,9 @@ class Vocabulary:
 
     def __get_pydantic_core_schema__(self, _source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Return the schema of the union."""
-        return core_schema.tagged_union_schema(self._choices(handler), self._discriminator())
+        # A word is dumped as what it is: for its tag pydantic would call us, and swallow a Ctrl-C that comes meanwhile.
+        as_it_is = core_schema.simple_ser_schema("any")
+        return core_schema.tagged_union_schema(self._choices(handler), self._discriminator(), serialization=as_it_is)
 
     def _discriminator(self) -> Any:
         return self.key if self._otherwise is None else self.tag_of

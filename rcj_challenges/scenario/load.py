@@ -17,7 +17,6 @@ from pydantic import ValidationError
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.run import check
 from rcj_challenges.scenario.codes import WRONG_VALUE
-from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.kits import fill_in_devices
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -97,7 +96,7 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequen
     tree, merger = Source.of_data(resolved, RESOLVED).tree, Merger()
     apply_overrides(tree, overrides, merger, is_resolved=True)
     scenario = _checked(tree, merger)
-    return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, dumped(scenario))
+    return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, scenario.dumped())
 
 
 def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], overrides: Sequence[str]) -> Loaded:
@@ -117,7 +116,7 @@ def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], ov
     if of_params:
         apply_overrides(tree, of_params, merger)
         _resolve(tree, merger)
-        resolved = dumped(_checked(tree, merger))
+        resolved = _checked(tree, merger).dumped()
     return load_resolved(resolved, overrides=[override for override in overrides if override not in of_params])
 
 
@@ -143,7 +142,7 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
     changes = merger.repeated, merger.overridden
     return Loaded(
-        scenario, Roster.of(scenario), name, path, dumped(scenario), unresolved, tree, bases, left_out, *changes
+        scenario, Roster.of(scenario), name, path, scenario.dumped(), unresolved, tree, bases, left_out, *changes
     )
 
 

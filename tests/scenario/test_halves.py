@@ -4,7 +4,6 @@ import pytest
 
 from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s
 from rcj_challenges.scenario.load import load
@@ -75,11 +74,11 @@ def test_wrong_number_of_lengths_is_reported_in_the_authors_file_not_in_its_base
 
 
 def test_one_number_is_written_as_before_there_were_lists():
-    assert dumped(scenario("match: {halves: 2, half_s: 20}\n"))["match"] == {
+    assert scenario("match: {halves: 2, half_s: 20}\n").dumped()["match"] == {
         "halves": 2, "half_s": 20.0, "called": None, "swap_sides": False,
     }  # fmt: skip
     several = scenario("match: {halves: 2, half_s: [20, 10]}\n")
-    assert type(several).model_validate(dumped(several)) == several
+    assert type(several).model_validate(several.dumped()) == several
 
 
 TOLD = rule(

@@ -1,7 +1,7 @@
 """The whole file: rules, results, limits, tests, and the sections put together."""
 
 from dataclasses import replace
-from typing import Annotated, Literal, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import Field
 
@@ -403,6 +403,10 @@ class Scenario(Strict):
         {},
         "tests of the rules, each named after what must happen; `inherited: null` removes those of the base scenario",
     )
+
+    def dumped(self) -> dict[str, Any]:
+        """Return the scenario as JSON-able data, as records keep it."""
+        return self.model_dump(mode="json", by_alias=True)
 
     def effects(self, kind: type[_E]) -> list[_E]:
         """Return the effects of one kind that its rules have."""
