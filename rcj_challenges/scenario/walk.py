@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Annotated, Any, Literal, TypeVar, get_args, get_origin
 
@@ -10,33 +10,24 @@ from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.effects import Effect
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.tree import Path, Step
 
 _E = TypeVar("_E", bound=Effect)
 
 
 def walk(value: Any, path: Path = ()) -> Iterator[tuple[Strict, Path]]:
-    """Return every model in a value, itself included, with its path as the file writes it."""
-    found: list[tuple[Strict, Path]] = []
-    _gather(value, path, found)
-    return iter(found)
-
-
-def _gather(value: Any, path: Path, found: list[tuple[Strict, Path]]) -> None:
+    """Yield every model in a value, itself included, with its path as the file writes it."""
+    parts: Iterable[tuple[Step, Any]] = ()
     if isinstance(value, Strict):
-        found.append((value, path))
-        for name, key in _keys(type(value)):
-            inner = getattr(value, name)
-            if isinstance(inner, _HOLDS_MORE):
-                _gather(inner, (*path, key), found)
+        yield value, path
+        parts = [(key, getattr(value, name)) for name, key in _keys(type(value))]
     elif isinstance(value, dict):
-        for key, inner in value.items():
-            if isinstance(inner, _HOLDS_MORE):
-                _gather(inner, (*path, key), found)
+        parts = value.items()
     elif isinstance(value, tuple):
-        for index, inner in enumerate(value):
-            if isinstance(inner, _HOLDS_MORE):
-                _gather(inner, (*path, index), found)
+        parts = enumerate(value)
+    for step, inner in parts:
+        if isinstance(inner, _HOLDS_MORE):
+            yield from walk(inner, (*path, step))
 
 
 def effects_in(name: str, rule: Rule, kind: type[_E]) -> Iterator[tuple[_E, Path]]:
