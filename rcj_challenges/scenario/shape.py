@@ -114,36 +114,6 @@ def _without_reference(shape: Shape) -> Shape:
     return kind
 
 
-class _Inside(NamedTuple):
-    """What a shape says of the values that are in one, without looking at it.
-
-    Attributes:
-        is_union: whether nothing can be said until a member has been chosen.
-        fields: of a model, by key; None for anything else.
-        named: what stands under each name of a mapping.
-        listed: what stands at each place of a list of any length.
-        placed: what stands at the places of a list of a fixed length.
-    """
-
-    is_union: bool
-    fields: dict[str, Shape] | None = None
-    named: Shape = None
-    listed: Shape = None
-    placed: tuple[Shape, ...] = ()
-
-
-@_once_a_shape
-def _inside(shape: Shape) -> _Inside:
-    kind = bare(shape).kind
-    origin, arguments = get_origin(kind), get_args(kind)
-    if origin is not tuple:
-        known = fields(kind) if is_model(kind) else None
-        return _Inside(is_union(kind), fields=known, named=arguments[1] if origin is dict else None)
-    if len(arguments) == 2 and arguments[1] is Ellipsis:
-        return _Inside(is_union=False, listed=arguments[0])
-    return _Inside(is_union=False, placed=arguments)
-
-
 @_once_a_shape
 def members(shape: Shape) -> tuple[Shape, ...]:
     """Return the members of a union, or the shape alone."""
@@ -180,12 +150,12 @@ def tag_of(shape: Shape, node: Node) -> str | None:
 
 def chosen(shape: Shape, node: Node) -> Shape:
     """Return the member of a union that fits a value's form (not its content); None if none does."""
-    if not _inside(shape).is_union:
+    options = members(shape)
+    if len(options) == 1:
         return shape
-    kind, discriminator = bare(shape)
-    if discriminator is not None:
+    if bare(shape).discriminator is not None:
         return tags(shape).get(tag_of(shape, node) or usual_tag(shape) or "")
-    fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
+    fitting = [member for member in options if _fits(bare(member).kind, node)]
     if isinstance(node, Entries) and len(fitting) > 1:
         known = [sum(_weights(bare(member).kind).get(key, 0) for key in node.entries) for member in fitting]
         fitting = [member for member, count in zip(fitting, known, strict=True) if count == max(known)]
@@ -229,12 +199,20 @@ def _fits(kind: Any, node: Node) -> bool:
 
 def step_into(shape: Shape, node: Node, step: Step) -> Shape:
     """Return the shape one step into a value; None where the models know nothing."""
-    inside = _inside(shape)
-    if inside.is_union:
-        inside = _inside(chosen(shape, node))
-    if isinstance(step, str):
-        return inside.named if inside.fields is None else inside.fields.get(step)
-    return inside.placed[step] if step < len(inside.placed) else inside.listed
+    return _inside(chosen(shape, node))(step)
+
+
+@_once_a_shape
+def _inside(shape: Shape) -> Callable[[Step], Shape]:
+    """Return a function from a step to what is there in a value of a shape that is no union."""
+    kind = bare(shape).kind
+    arguments = get_args(kind)
+    if is_named(kind):
+        return lambda step: arguments[1] if isinstance(step, str) else None
+    if is_list(kind):
+        return lambda step: arguments[0] if isinstance(step, int) else None
+    known: dict[Any, Shape] = fields(kind) if is_model(kind) else {}
+    return (dict(enumerate(arguments)) if get_origin(kind) is tuple else known).get
 
 
 def shape_at(shape: Shape, root: Node, path: Path) -> Shape:
