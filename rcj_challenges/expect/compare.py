@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from itertools import zip_longest
 from math import isclose
-from typing import Any
+from typing import Any, NamedTuple
 
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.play import Event
@@ -25,16 +25,36 @@ _Pair = tuple[Event | None, int | None]
 """An event that came, and the number of the expected one that it stands beside; None: there is none."""
 
 
-def difference(what: str, expected: Scalar, found: Scalar | None, tolerance: float | None = None) -> Iterator[str]:
-    """Yield a line if a value is not the expected one, or a number further off than a tolerance."""
+class Difference(NamedTuple):
+    """What came out differently.
+
+    Attributes:
+        line: what was expected, and what is.
+        lacks: what a rule would have changed, as kind and name: ``("event", "GOAL")`` or ``("event", "rule goal")`` if
+            that is missing, ``("score", "blue")``, ``("counters", "laps")``, ``("flags", "out")``,
+            ``("phase", "goal")``, ``("ended", "half")``, ``("held", "Y1")``; empty if it is none of these.
+        at_s: the time in s at which an event was expected, if at any.
+    """
+
+    line: str
+    lacks: tuple[str, ...] = ()
+    at_s: float | None = None
+
+
+def difference(
+    what: str, expected: Scalar, found: Scalar | None, lacks: tuple[str, ...] = (), tolerance: float | None = None
+) -> Iterator[Difference]:
+    """Yield the difference if a value is not the expected one, or a number further off than a tolerance."""
     if equal(expected, found, tolerance or 0):
         return
     allowed = "" if tolerance is None else f"; up to {tolerance:g} off is allowed"
-    yield f"{what}: expected {shown(expected)}, is {shown(found)}{allowed}"
+    yield Difference(f"{what}: expected {shown(expected)}, is {shown(found)}{allowed}", lacks)
 
 
-def sent_difference(what: str, expected: Scalar | tuple[float, ...], found: Any, tolerance_m: float) -> Iterator[str]:
-    """Yield a line if a value that was sent to a program is not the expected one.
+def sent_difference(
+    what: str, expected: Scalar | tuple[float, ...], found: Any, tolerance_m: float
+) -> Iterator[Difference]:
+    """Yield the difference if a value that was sent to a program is not the expected one.
 
     Of a position the first numbers are expected; each may be off by the tolerance, in m and rad.
     """
@@ -46,7 +66,7 @@ def sent_difference(what: str, expected: Scalar | tuple[float, ...], found: Any,
     if not near:
         shown_ones = [f"[{', '.join(map(shown, one))}]" if one else "nothing" for one in (expected, numbers)]
         allowed = f"up to {tolerance_m:g} off is allowed, more by tolerance_m"
-        yield f"{what}: expected {shown_ones[0]}, is {shown_ones[1]}; {allowed}"
+        yield Difference(f"{what}: expected {shown_ones[0]}, is {shown_ones[1]}; {allowed}")
 
 
 def equal(expected: Scalar, found: object, tolerance: float = 0) -> bool:
@@ -74,7 +94,7 @@ def shown(value: object) -> str:
 
 def event_differences(
     found: Sequence[Event], expected: Sequence[ExpectedEvent], ignored: Sequence[str]
-) -> Iterator[str]:
+) -> Iterator[Difference]:
     """Yield where the events that came are others than expected; those that the test ignores are not among them.
 
     Those that belong together are found first, so that one event too many is one difference.
@@ -83,30 +103,31 @@ def event_differences(
     moved = {} if _is_flood(found, expected) else _elsewhere(pairs, expected)
     reported_there = set(moved.values())
     differences = [
-        line
+        one
         for place, pair in enumerate(pairs)
         if place not in reported_there
-        for line in (
+        for one in (
             [_out_of_order(pairs, place, moved[place])] if place in moved else _differences_of(pair, expected, ignored)
         )
     ]
     yield from differences[:MAX_DIFFERENCES]
     more = len(differences) - MAX_DIFFERENCES
     if more > 0:
-        yield f"and {counted(more, 'more difference')} of events"
+        yield Difference(f"and {counted(more, 'more difference')} of events")
 
 
-def _differences_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Sequence[str]) -> Iterator[str]:
+def _differences_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Sequence[str]) -> Iterator[Difference]:
     event, index = pair
     if index is None:
         if event is not None:
-            yield f"superfluous: {_format_event(event)}{_no_longer_ignored(event.name, ignored)}"
+            yield Difference(f"superfluous: {_format_event(event)}{_no_longer_ignored(event.name, ignored)}")
     elif event is None:
         wanted = expected[index]
         when = "" if wanted.at_s is None else f" at {wanted.at_s:g} s"
-        yield f"missing: {wanted.what}{when}{_payload(wanted.payload)}, event {index + 1} of the test"
+        line = f"missing: {wanted.what}{when}{_payload(wanted.payload)}, event {index + 1} of the test"
+        yield Difference(line, ("event", wanted.what), wanted.at_s)
     else:
-        yield from (f"differs: {line}" for line in _within(event, index + 1, expected[index]))
+        yield from (Difference(f"differs: {line}") for line in _within(event, index + 1, expected[index]))
 
 
 def _elsewhere(pairs: Sequence[_Pair], expected: Sequence[ExpectedEvent]) -> dict[int, int]:
@@ -124,14 +145,14 @@ def _elsewhere(pairs: Sequence[_Pair], expected: Sequence[ExpectedEvent]) -> dic
     return moved
 
 
-def _out_of_order(pairs: Sequence[_Pair], came: int, lacks: int) -> str:
+def _out_of_order(pairs: Sequence[_Pair], came: int, lacks: int) -> Difference:
     event, number = pairs[came][0], pairs[lacks][1]
     assert event is not None and number is not None  # noqa: S101, PT018 - so `_elsewhere` chose them
     others = [other for other, _ in pairs[min(came, lacks) : max(came, lacks)] if other is not None and other != event]
     at_once = any(other.tick == event.tick for other in others)
     why = "; events of one tick come in the order in which their rules are judged" if at_once else ""
     when = "earlier" if came < lacks else "later"
-    return (
+    return Difference(
         f"out of order: {_format_event(event)}, event {number + 1} of the test, came {when} than the test has it{why}"
     )
 

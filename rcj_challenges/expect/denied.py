@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import effects
@@ -15,24 +15,8 @@ from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS
 from rcj_challenges.tracking.bound_rules import Denied
 from rcj_challenges.tracking.trackers import Missed
 
-
-class Wanted(NamedTuple):
-    """What differs from the expectations of a test.
-
-    Attributes:
-        missing: the events and firings (``rule NAME``) that did not come, with the time in s at which they were
-            expected, if at any.
-        over: whether nothing, or the half only, is over that should be.
-        held: whether a robot is held that should not be, or the other way round.
-    """
-
-    missing: Mapping[str, float | None]
-    scores: Container[str] = ()
-    entries: Container[tuple[str, str]] = ()
-    phase: str | None = None
-    over: bool = False
-    held: bool = False
-
+Lacks = Mapping[tuple[str, ...], float | None]
+"""What a test lacks (`Difference.lacks`), with the time in s at which it was expected, if at any."""
 
 _MAX_NOTES = 3
 """At most so many rules are noted for a failed test."""
@@ -43,18 +27,18 @@ _YET = " yet: a rule made it true in that tick, which other rules see one tick l
 def denied_condition_notes(
     denied: Denied,
     scenario: Scenario,
-    wanted: Wanted,
+    lacks: Lacks,
     fired: Container[str],
 ) -> Iterable[str]:
     """Return notes on rules that never fired but would have changed what differs from the expectations."""
     noted = 0
     for name, ticks in denied.items():
         rule = scenario.rules[name]
-        if not _gives(name, rule, wanted) or name in fired or noted == _MAX_NOTES:
+        if not _gives(name, rule, lacks) or name in fired or noted == _MAX_NOTES:
             continue
         noted += 1
-        names = (f"rule {name}", *(one.event for one in rule.effects(effects.Emits)))
-        tick = _nearest(ticks, next((wanted.missing[one] for one in names if one in wanted.missing), None))
+        given = [("event", one) for one in (f"rule {name}", *(emits.event for emits in rule.effects(effects.Emits)))]
+        tick = _nearest(ticks, next((lacks[one] for one in given if one in lacks), None))
         condition, held_after = ticks[tick]
         which = _as_written(rule.conditions[condition])
         yet = _YET if held_after else ""
@@ -62,7 +46,7 @@ def denied_condition_notes(
 
 
 def missed_notes(
-    missed: Iterable[tuple[str, Missed]], scenario: Scenario, wanted: Wanted, fired: Container[str]
+    missed: Iterable[tuple[str, Missed]], scenario: Scenario, lacks: Lacks, fired: Container[str]
 ) -> Iterable[str]:
     """Return notes on what set off no rule, by entity: it is no entry, the other direction, or held already.
 
@@ -82,7 +66,7 @@ def missed_notes(
             noted.add((note, one.kind))
             continue
         for name in rules:
-            if (name, one.kind) in noted or name in fired or not _gives(name, scenario.rules[name], wanted):
+            if (name, one.kind) in noted or name in fired or not _gives(name, scenario.rules[name], lacks):
                 continue
             noted.add((name, one.kind))
             if one.kind == "placed":
@@ -110,9 +94,9 @@ def _watched(trigger: Trigger) -> tuple[str, bool]:
     return repr(sorted(data.items())), is_so
 
 
-def _gives(name: str, rule: Rule, wanted: Wanted) -> bool:
-    """Return whether a rule that fires gives something of what differs from the expectations."""
-    return f"rule {name}" in wanted.missing or any(_changes(one, wanted) for one in rule.all_effects())
+def _gives(name: str, rule: Rule, lacks: Lacks) -> bool:
+    """Return whether a rule that fires gives something of what a test lacks."""
+    return ("event", f"rule {name}") in lacks or any(_changes(one, lacks) for one in rule.all_effects())
 
 
 def _as_written(condition: Condition) -> str:
@@ -122,28 +106,32 @@ def _as_written(condition: Condition) -> str:
     return on_one_line(data)
 
 
-def _changes(effect: effects.Effect, wanted: Wanted) -> bool:  # noqa: PLR0911 - one for each kind
-    """Return whether an effect is on what differs from the expectations."""
+def _changes(effect: effects.Effect, lacks: Lacks) -> bool:  # noqa: PLR0911 - one for each kind
+    """Return whether an effect is on what a test lacks."""
     match effect:
         case effects.Emits(event):
-            return event in wanted.missing
+            return ("event", event) in lacks
+        case effects.Scores(entrant) if entrant in (None, EACH, OTHER, OTHERS, ENTRANTS):
+            return has_kind(lacks, "score")  # these, and the last to touch something, may be any of them
         case effects.Scores(entrant):
-            # Each, others, other and the last to touch something may be any of them.
-            return bool(wanted.scores) and (
-                entrant in (None, EACH, OTHER, OTHERS, ENTRANTS) or entrant in wanted.scores
-            )
+            return ("score", entrant) in lacks
         case effects.Writes(section, name):
-            return (section, name) in wanted.entries
+            return (section, name) in lacks
         case effects.SetsPhase(phase):
-            return phase == wanted.phase
+            return ("phase", phase) in lacks
         case effects.Ends():
-            return wanted.over
+            return ("ended", "half") in lacks or ("ended", "match") in lacks
         case effects.Holds() | effects.Releases():
-            return wanted.held
+            return has_kind(lacks, "held")
         case effects.Places() | effects.PlacesLayout() | effects.Removes() | effects.Draws() | effects.SetsSpot():
             return False
         case _:
             assert_never(effect)
+
+
+def has_kind(lacks: Lacks, kind: str) -> bool:
+    """Return whether a test lacks something of a kind."""
+    return any(one[:1] == (kind,) for one in lacks)
 
 
 def _nearest(ticks: Iterable[int], at_s: float | None) -> int:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Container, Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import islice
 from math import hypot
@@ -12,14 +11,13 @@ from typing import TYPE_CHECKING, Any
 from rcj_challenges.core.amounts import counted, number_words, round_score, times
 from rcj_challenges.core.play import Event, HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
-from rcj_challenges.expect.denied import Wanted, denied_condition_notes, missed_notes
+from rcj_challenges.expect.compare import Difference, difference, event_differences, sent_difference
+from rcj_challenges.expect.denied import Lacks, denied_condition_notes, has_kind, missed_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import ranking
 from rcj_challenges.rules.effects import Emits, Ends
-from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import places_of, series_of
 from rcj_challenges.scenario.halves import by_seat
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, MatchExpectation, Scenario
@@ -32,7 +30,6 @@ if TYPE_CHECKING:
 
 MAX_PHASES = 5
 """At most so many changes of phases are noted for a failed test."""
-_MISSING = re.compile(r"missing: ((rule )?\w+)")
 
 
 @dataclass(frozen=True)
@@ -83,7 +80,7 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
         differences += (f"{period} {number}: {line}" for line in result.differences)
         ticks, fired = ticks + result.ticks, fired | dict.fromkeys(result.fired)
     assert match is not None  # noqa: S101 - there is at least one half
-    differences += _total_differences(match.referee, carry_over, expected)
+    differences += (one.line for one in _total_differences(match.referee, carry_over, expected))
     return TestResult(tuple(differences), ticks, tuple(fired))
 
 
@@ -104,20 +101,20 @@ def _play(
         match.finish()
     fired = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed is None)
     differences = [*_differences(match, scenario, expected), *_unsettled(match)]
-    wanted = _wanted(differences, match, expected)
+    lacks = {one.lacks: one.at_s for one in reversed(differences) if one.lacks}
     notes = (
         (
             *_no_room(match),
             *_not_drawn(match, expected),
-            *missed_notes(match.referee.missed, scenario, wanted, fired),
-            *denied_condition_notes(match.referee.rounds.denied or {}, scenario, wanted, fired),
-            *_early_end_notes(match, scenario, expected, wanted),
-            *_course(match, differences),
+            *missed_notes(match.referee.missed, scenario, lacks, fired),
+            *denied_condition_notes(match.referee.rounds.denied or {}, scenario, lacks, fired),
+            *_early_end_notes(match, scenario, expected, lacks),
+            *_course(match, lacks),
         )
         if differences
         else ()
     )
-    return match, TestResult((*differences, *notes), match.tick, tuple(fired))
+    return match, TestResult((*(one.line for one in differences), *notes), match.tick, tuple(fired))
 
 
 def _follow(match: ScriptedMatch, expected: Expectation) -> None:
@@ -140,11 +137,12 @@ def _follow(match: ScriptedMatch, expected: Expectation) -> None:
     _play_until(match, ticks_from_s(expected.lasts_s))
 
 
-def _unsettled(match: ScriptedMatch) -> Iterable[str]:
-    """Return notes on rules that would go on setting each other off after the half."""
+def _unsettled(match: ScriptedMatch) -> Iterable[Difference]:
+    """Yield the rules that would go on setting each other off after the half."""
     rules = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed == "unsettled")
     if rules:
-        yield f"unsettled: after the last tick these rules set each other off without end: {', '.join(rules)}"
+        line = f"unsettled: after the last tick these rules set each other off without end: {', '.join(rules)}"
+        yield Difference(line)
 
 
 def _no_room(match: ScriptedMatch) -> Iterable[str]:
@@ -154,28 +152,13 @@ def _no_room(match: ScriptedMatch) -> Iterable[str]:
         yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
 
 
-def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expectation) -> Wanted:
-    """Return the differences from the expectations as data."""
-    # A name has no blank and no colon in it.
-    differing = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
-    missing = {found[1] for one in differences if (found := _MISSING.match(one))}
-    return Wanted(
-        missing={event.what: event.at_s for event in reversed(expected.events or ()) if event.what in missing},
-        scores={name for name, score in expected.score.items() if not equal(score, match.referee.scores.get(name))},
-        entries={(f"{kind}s", name) for kind, name in differing if kind in ("counter", "flag")},
-        phase=expected.phase if ("phase", ":") in differing else None,
-        over=expected.ended != "none" and ("ended", ":") in differing,
-        held=any((name, "held") in differing for name in expected.held or ()),
-    )
-
-
-def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
+def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expectation, lacks: Lacks) -> Iterable[str]:
     """Return a note on the rule that ended the half or the match, where the test would have gone on."""
     last = ticks_from_s(expected.lasts_s)
     if match.output.ended is None or match.tick >= last:
         return
     left_out = any(ticks_from_s(one.at_s) > match.tick for one in expected.keyframes)
-    if not (wanted.missing or left_out or expected.ended == "none"):
+    if not (has_kind(lacks, "event") or left_out or expected.ended == "none"):
         return
     what = "match" if match.output.ends_match else "half"
     ending = (f.rule for f in reversed(match.firings) if f.suppressed is None and scenario.rules[f.rule].effects(Ends))
@@ -185,9 +168,9 @@ def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expecta
         yield f"note: {rule} ended the {what} at {at_s:g} s, and so the test; it lasts {expected.lasts_s:g} s"
 
 
-def _course(match: ScriptedMatch, differences: Iterable[str]) -> Iterable[str]:
+def _course(match: ScriptedMatch, lacks: Lacks) -> Iterable[str]:
     """Return the course of the phases if an event is missing: rules are inactive in phases that are not theirs."""
-    if len(match.phases) == 1 or not any(one.startswith("missing:") for one in differences):
+    if len(match.phases) == 1 or not has_kind(lacks, "event"):
         return
     entered = [*match.phases[1 : MAX_PHASES + 1], None]
     course = [
@@ -251,32 +234,33 @@ def _act(match: ScriptedMatch, keyframe: Keyframe) -> None:
         match.tell(robot, " ".join(map(str, said)) if isinstance(said, tuple) else str(said))
 
 
-def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation) -> Iterable[str]:
+def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation) -> Iterable[Difference]:
     referee = match.referee
     if expected.events is not None:
         wanted = {event.what for event in expected.events}
         ignored = set(expected.ignore) - wanted
-        found = [event for event in _happened(match, scenario, wanted) if event.name not in ignored]
-        yield from event_differences(found, expected.events, expected.ignore)
+        events = [event for event in _happened(match, scenario, wanted) if event.name not in ignored]
+        yield from event_differences(events, expected.events, expected.ignore)
     for entrant, score in expected.score.items():
-        yield from difference(f"score of {entrant}", score, referee.scores.get(entrant))
+        yield from difference(f"score of {entrant}", score, referee.scores.get(entrant), ("score", entrant))
     yield from _counter_differences(referee, expected)
-    yield from _flag_differences(referee, expected)
-    if expected.phase is not None:
-        yield from difference("phase", expected.phase, referee.phase)
-    if expected.ended is not None:
-        yield from difference("ended", expected.ended, _ended(match))
+    yield from _kept_differences("flag", expected.flags, referee.flags)
+    holders = {role: referee.draws.get(role) or "none" for role in expected.roles}
+    yield from _kept_differences("role", expected.roles, holders)
+    for what, value, found in (("phase", expected.phase, referee.phase), ("ended", expected.ended, _ended(match))):
+        if value is not None:
+            yield from difference(what, value, found, (what, value))
     if expected.ranking is not None:
         by_now = referee.ranked(half_of(scenario))  # what the test has given counts, too
         yield from _ranking_differences(ranking(scenario.result.rank, [*by_now], [by_now]), expected.ranking)
     for name, is_held in (expected.held or {}).items():
-        yield from difference(f"{name} held", is_held, referee.held.get(name))
+        yield from difference(f"{name} held", is_held, referee.held.get(name), ("held", name))
     yield from _pose_differences(match, expected)
     for robots, fields in (expected.told or {}).items():
         for robot in match.roster.expand(robots):
-            for key, value in fields.items():
+            for key, sent in fields.items():
                 received = match.received.get(robot, {}).get(key)
-                yield from sent_difference(f"{key} told to {robot}", value, received, expected.tolerance_m)
+                yield from sent_difference(f"{key} told to {robot}", sent, received, expected.tolerance_m)
 
 
 def _happened(match: ScriptedMatch, scenario: Scenario, wanted: Container[str]) -> Iterator[Event]:
@@ -291,45 +275,44 @@ def _happened(match: ScriptedMatch, scenario: Scenario, wanted: Container[str]) 
             yield from islice(events, len(scenario.rules[firing.rule].effects(Emits)))
 
 
-def _counter_differences(referee: Referee, expected: Expectation | MatchExpectation) -> Iterable[str]:
-    """Return the counters with another value than expected."""
-    for name, count in expected.counters.items():
-        if isinstance(count, dict):
-            yield from _of_each(f"counter {name}", count, referee.counters.get(name), expected.tolerance_counters)
-        else:
-            yield from difference(f"counter {name}", count, _number(referee, name), expected.tolerance_counters)
+def _counter_differences(referee: Referee, expected: Expectation | MatchExpectation) -> Iterable[Difference]:
+    found = referee.scores | referee.counters
+    yield from _kept_differences("counter", expected.counters, found, expected.tolerance_counters)
 
 
-def _flag_differences(referee: Referee, expected: Expectation) -> Iterable[str]:
-    """Return the flags with another value than expected."""
-    for name, flag in expected.flags.items():
-        value = referee.flags.get(name)
-        if isinstance(flag, dict):
-            yield from _of_each(f"flag {name}", flag, value)
-        else:
-            yield from difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
+def _kept_differences(
+    kind: str, expected: Mapping[str, Any], found: Mapping[str, Any], tolerance: float | None = None
+) -> Iterable[Difference]:
+    """Yield what is kept with another value; of what is kept for several the sum, or whether any flag is set."""
+    for name, value in expected.items():
+        kept, lacks = found.get(name), (f"{kind}s", name)
+        if isinstance(value, dict):
+            of_each = kept if isinstance(kept, dict) else {}
+            for member, own in value.items():
+                yield from difference(f"{kind} {name} of {member}", own, of_each.get(member), lacks, tolerance)
+            continue
+        if isinstance(kept, dict):
+            kept = any(kept.values()) if kind == "flag" else round_score(sum(one or 0 for one in kept.values()))
+        yield from difference(f"{kind} {name}", value, kept, lacks, tolerance)
 
-    for role, holder in expected.roles.items():
-        yield from difference(f"role {role}", holder, referee.draws.get(role) or "none")
 
-
-def _pose_differences(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
+def _pose_differences(match: ScriptedMatch, expected: Expectation) -> Iterable[Difference]:
     for name in match.roster.expand(expected.off or ()):
         yield from difference(f"{name} off the field", True, match.is_off(name))
     for name, (x, y) in expected.poses.items():
         if match.is_off(name):
-            yield f"{name}: expected at ({x:g}, {y:g}), is off the field"
+            yield Difference(f"{name}: expected at ({x:g}, {y:g}), is off the field")
             continue
         here = match.referee.spots.get(name) or match.pose(name)
         off = hypot(here[0] - x, here[1] - y)
         if off > expected.tolerance_m:
             found = f"({here[0]:.4g}, {here[1]:.4g}), {off:.3g} m off"
             allowed = f"up to {expected.tolerance_m:g} m off is allowed, more by tolerance_m"
-            yield f"{name}: expected at ({x:g}, {y:g}), is at {found}; {allowed}"
+            yield Difference(f"{name}: expected at ({x:g}, {y:g}), is at {found}; {allowed}")
 
 
-def _total_differences(referee: Referee, carry_over: CarryOver, expected: MatchExpectation) -> Iterable[str]:
-    """Return what differs at the end of several halves, by team."""
+def _total_differences(referee: Referee, carry_over: CarryOver, expected: MatchExpectation) -> Iterable[Difference]:
+    """Yield what differs at the end of several halves, by team."""
     for team, score in expected.score.items():
         yield from difference(f"score of {team}", score, carry_over.scores.get(team))
     yield from _counter_differences(referee, expected)
@@ -339,8 +322,8 @@ def _total_differences(referee: Referee, carry_over: CarryOver, expected: MatchE
 
 def _ranking_differences(
     ranked: Iterable[dict[str, Any]], expected: tuple[str | tuple[str, ...], ...]
-) -> Iterable[str]:
-    """Return the ranking, if it is not the expected one, with what was compared."""
+) -> Iterable[Difference]:
+    """Yield the ranking, if it is not the expected one, with what was compared."""
     places: dict[int, dict[str, list[Number | None]]] = {}
     for entry in ranked:
         places.setdefault(entry["place"], {})[entry["team"]] = entry["values"]
@@ -351,7 +334,7 @@ def _ranking_differences(
             for sharing in places.values()
         )
         wanted = ", then ".join(one if isinstance(one, str) else " and ".join(one) for one in expected)
-        yield f"ranking: expected {wanted}; is {shown}"
+        yield Difference(f"ranking: expected {wanted}; is {shown}")
 
 
 def _ended(match: ScriptedMatch) -> str:
@@ -359,15 +342,3 @@ def _ended(match: ScriptedMatch) -> str:
     if match.output.ends_match:
         return "match"
     return "half" if match.is_over else "none"
-
-
-def _number(referee: Referee, name: str) -> Number | None:
-    value = referee.counters.get(name, referee.scores.get(name))
-    return round_score(sum(one or 0 for one in value.values())) if isinstance(value, dict) else value
-
-
-def _of_each(what: str, expected: Mapping[str, Scalar], found: object, tolerance: float | None = None) -> Iterable[str]:
-    """Return the differences of a value that is kept for each of several."""
-    kept = found if isinstance(found, dict) else {}
-    for member, value in expected.items():
-        yield from difference(f"{what} of {member}", value, kept.get(member), tolerance)

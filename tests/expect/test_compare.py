@@ -100,20 +100,21 @@ BY_TWO = [Event(10, "GOAL", {"by": "Y1"}), Event(20, "GOAL", {"by": "Y2"})]
     ],
 )
 def test_events_are_compared_in_their_order(found, expected, lines):
-    assert list(event_differences(found, expected, DEFAULT)) == lines
+    assert [one.line for one in event_differences(found, expected, DEFAULT)] == lines
 
 
 def test_ten_differences_of_events_are_shown_and_then_how_many_more():
-    lines = [*event_differences([], wanted(*"A" * 35), DEFAULT)]
+    lines = [one.line for one in event_differences([], wanted(*"A" * 35), DEFAULT)]
     assert lines[9:] == ["missing: A, event 10 of the test", "and 25 more differences of events"]
-    assert [*event_differences([], wanted(*"A" * 11), DEFAULT)][10:] == ["and 1 more difference of events"]
+    (last,) = [*event_differences([], wanted(*"A" * 11), DEFAULT)][10:]
+    assert last.line == "and 1 more difference of events"
 
 
 def test_a_list_of_ignored_events_replaces_the_default():
-    assert [*event_differences(came("MATCH_START"), [], ("HIT",))] == [
-        f"superfluous: MATCH_START at 0.32 s; {OWN_IGNORED}"
-    ]
-    assert [*event_differences(came("HIT"), [], ())] == ["superfluous: HIT at 0.32 s"]
+    (difference,) = event_differences(came("MATCH_START"), [], ("HIT",))
+    assert difference.line == f"superfluous: MATCH_START at 0.32 s; {OWN_IGNORED}"
+    (difference,) = event_differences(came("HIT"), [], ())
+    assert difference.line == "superfluous: HIT at 0.32 s"
 
 
 HEAD = "schema_version: 2\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {halves: 2, half_s: 10}\n"
