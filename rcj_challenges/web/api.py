@@ -101,7 +101,11 @@ def hand_in(request: HttpRequest) -> Status[dict[str, Any]]:
     begun_at = begun(request)
     try:
         season = ensure_may_upload(team, seasons.current(), begun_at)
-        return Status(201, _receipt(receive(team, season, path, sha256, size, begun_at, timezone.now(), "api")))
+        new = Submission(
+            team=team, season=season, sha256=sha256, size_bytes=size, begun_at=begun_at, received_at=timezone.now(),
+            via="api",
+        )  # fmt: skip
+        return Status(201, _receipt(receive(path, new)))
     except RefusedError as refused:
         return Status(refused.status, {"code": refused.code, "message": str(refused)})
 

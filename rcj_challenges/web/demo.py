@@ -14,7 +14,7 @@ from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import give_card
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.models import Group, Season, Team
+from rcj_challenges.web.models import Group, Season, Submission, Team
 from rcj_challenges.web.receiving import receive
 
 _MATCH_FOLDER = "rcj_soccer_team_blue"
@@ -51,7 +51,11 @@ def make_demo(samples: Mapping[str, Path]) -> Iterator[str]:
         received = blobs.incoming / f"demo-{teams[name].pk}"
         data = zipped(folder)
         received.write_bytes(data)
-        receive(teams[name], season, received, hashlib.sha256(data).hexdigest(), len(data), now, now, "page")
+        new = Submission(
+            team=teams[name], season=season, sha256=hashlib.sha256(data).hexdigest(), size_bytes=len(data),
+            begun_at=now, received_at=now, via="page",
+        )  # fmt: skip
+        receive(received, new)
         yield f"{name}: {codes[name]}"
 
 

@@ -73,41 +73,27 @@ def _ensure_within_quotas(team: Team, begun_at: datetime) -> None:
         raise RefusedError(429, TOO_MUCH, message.format(count=config.upload_bytes_per_day))
 
 
-def receive(
-    team: Team,
-    season: Season,
-    received: Path,
-    sha256: str,
-    size_bytes: int,
-    begun_at: datetime,
-    now: datetime,
-    via: str,
-) -> Submission:
+def receive(received: Path, new: Submission) -> Submission:
     """Take an archive: store it, and queue its check, in one transaction; return it with its number.
 
     Bytes that were checked before for this season get the earlier verdict at once.
 
     Args:
-        team: that hands it in.
-        season: it is for.
         received: the file in `Blobs.incoming`; it is moved away.
-        sha256: of its content.
-        size_bytes: its size.
-        begun_at: when the upload began: what counts for the deadline. `front` waits for a body for a limited time.
-        now: the time.
-        via: ``page``, ``api`` or ``repair``.
+        new: not saved yet: the team, the season, the file and its times. When the upload began is what counts for the
+            deadline; `front` waits for a body for a limited time.
 
     Raises:
         RefusedError: the disk is full or broken or the database away, or the team was deleted or has reached a quota
             in the meantime: nothing was taken.
     """
     try:
-        Blobs(current_site().folder).keep(received, sha256)
+        Blobs(current_site().folder).keep(received, new.sha256)
         with jobs.writing():
-            return _record(team, season, sha256, size_bytes, begun_at, now, via)
+            return _record(new)
     except RefusedError:
         with jobs.writing():
-            remove_unneeded(sha256)
+            remove_unneeded(new.sha256)
         raise
     except (OSError, DatabaseError) as error:
         message = gettext("the site cannot store it at this moment; nothing was taken: try again")
@@ -116,54 +102,37 @@ def receive(
 
 def accept_repaired(submission: Submission, sha256: str, size_bytes: int, now: datetime) -> Submission:
     """Make a new submission of a repaired archive; called inside `jobs.writing`."""
-    return _record(submission.team, submission.season, sha256, size_bytes, now, now, "repair", repaired_from=submission)
+    return _record(
+        Submission(
+            team=submission.team, season=submission.season, sha256=sha256, size_bytes=size_bytes, begun_at=now,
+            received_at=now, via="repair", repaired_from=submission,
+        )
+    )  # fmt: skip
 
 
-def _record(
-    team: Team,
-    season: Season,
-    sha256: str,
-    size_bytes: int,
-    begun_at: datetime,
-    now: datetime,
-    via: str,
-    repaired_from: Submission | None = None,
-) -> Submission:
+def _record(new: Submission) -> Submission:
+    team, season = new.team, new.season
     if Team.objects.select_for_update().filter(pk=team.pk, deleted_at=None).first() is None:
         raise RefusedError(409, NO_TEAM, gettext("this team has been deleted"))
-    if repaired_from is None:
-        _ensure_within_quotas(team, begun_at)
-    late_for = deadlines.late_for(season, begun_at, now)
+    if new.repaired_from is None:
+        _ensure_within_quotas(team, new.begun_at)
+    new.late_for = deadlines.late_for(season, new.begun_at, new.received_at)
+    new.is_late = season.closes_at is not None and new.begun_at > season.closes_at
     mine = Submission.objects.filter(team=team, season=season)
-    number = (mine.aggregate(last=Max("number"))["last"] or 0) + 1
-    earlier = Submission.objects.filter(
-        sha256=sha256, season=season, state__in=(State.ACCEPTED, State.REJECTED), is_deleted=False
-    ).filter(team=team).order_by("-id").first()  # fmt: skip
-    submission = Submission.objects.create(
-        team=team,
-        season=season,
-        number=number,
-        sha256=sha256,
-        size_bytes=size_bytes,
-        begun_at=begun_at,
-        received_at=now,
-        via=via,
-        is_late=season.closes_at is not None and begun_at > season.closes_at,
-        late_for=late_for,
-        is_counted=earlier is None and via != "repair",
-        repaired_from=repaired_from,
-    )
-    _supersede(mine.exclude(pk=submission.pk).filter(state=State.QUEUED, late_for=late_for))
+    new.number = (mine.aggregate(last=Max("number"))["last"] or 0) + 1
+    checked = mine.filter(sha256=new.sha256, state__in=(State.ACCEPTED, State.REJECTED), is_deleted=False)
+    earlier = checked.order_by("-id").first()
+    new.is_counted = earlier is None and new.via != "repair"
+    new.save()
+    _supersede(mine.exclude(pk=new.pk).filter(state=State.QUEUED, late_for=new.late_for))
     if earlier is not None:
-        jobs.store_verdict(
-            submission, jobs.Verdict(State(earlier.state), earlier.level, earlier.digest, earlier.report)
-        )
-        _link_report(earlier, submission)
+        jobs.store_verdict(new, jobs.Verdict(State(earlier.state), earlier.level, earlier.digest, earlier.report))
+        _link_report(earlier, new)
     else:
-        jobs.enqueue("check", submission, now)
-    if not Blobs(current_site().folder).path(sha256).exists():  # a team with the same bytes was deleted just now
+        jobs.enqueue("check", new, new.received_at)
+    if not Blobs(current_site().folder).path(new.sha256).exists():  # a team with the same bytes was deleted just now
         raise RefusedError(503, NOT_STORED, gettext("the site could not store it; try again"))
-    return submission
+    return new
 
 
 def remove_unneeded(sha256: str) -> None:

@@ -14,6 +14,7 @@ from django.db.models import Max, Q, QuerySet
 from django.utils.translation import gettext
 
 from rcj_challenges.records.result import deciding, versions
+from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.web import jobs
 from rcj_challenges.web.blobs import Blobs, match_folder, record_folder
 from rcj_challenges.web.codes import NOT_FOR_TWO
@@ -90,7 +91,7 @@ def begin(season: Season, now: datetime) -> None:
 
     scenario, entrants = _kept_scenario(season)
     secret = secrets.token_hex(_SECRET_BYTES)
-    pinned = {"begun_at": now, "secret": secret, "secret_hash": published.secret_hash(secret)}
+    pinned = {"begun_at": now, "secret": secret, "secret_hash": seed_hash(secret)}
     with jobs.writing():
         if Season.objects.filter(pk=season.pk, begun_at=None).update(**pinned):
             Basis.objects.create(season=season, scenario=scenario, versions=own_versions(), made_at=now)

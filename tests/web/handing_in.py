@@ -39,13 +39,17 @@ def one_program(program: Path) -> bytes:
 
 def hand_in(site: SiteConfig, team: Any, data: bytes, now: datetime = NOW, begun_at: datetime | None = None) -> Any:
     """Take an archive as the pages do; return the submission."""
-    from rcj_challenges.web.models import Season
+    from rcj_challenges.web.models import Season, Submission
     from rcj_challenges.web.receiving import receive
 
     received = site.folder / "incoming" / f"test-{next(_COUNT)}"
     received.write_bytes(data)
     sha256 = hashlib.sha256(data).hexdigest()
-    return receive(team, Season.objects.get(), received, sha256, len(data), begun_at or now, now, "api")
+    new = Submission(
+        team=team, season=Season.objects.get(), sha256=sha256, size_bytes=len(data), begun_at=begun_at or now,
+        received_at=now, via="api",
+    )  # fmt: skip
+    return receive(received, new)
 
 
 def wait_for(served: Served, code: str, pk: int, timeout_s: float = 100.0) -> dict[str, Any]:

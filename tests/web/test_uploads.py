@@ -225,15 +225,18 @@ def test_an_upload_for_which_the_disk_has_no_room_is_refused_and_nothing_is_brok
     with use_site(config):
         team, code = make_team()
         hand_in(config, team, b"before", timezone.now())
-        times = (timezone.now(), timezone.now())
         if way == "received":
             with ThreadPoolExecutor(1) as apart:  # a browser of other tests may run a loop in this thread
                 assert apart.submit(lambda: asyncio.run(posted(config, code, bytes(6_000_000)))).result() == 507
         else:
             (config.folder / "incoming" / "next").write_bytes(b"")  # as if the rest of the disk went meanwhile
             fill(small_disk)
+            now, season = timezone.now(), Season.objects.get()
+            new = Submission(
+                team=team, season=season, sha256="0" * 64, size_bytes=0, begun_at=now, received_at=now, via="api"
+            )
             with pytest.raises(RefusedError) as refused:
-                receive(team, Season.objects.get(), config.folder / "incoming" / "next", "0" * 64, 0, *times, "api")
+                receive(config.folder / "incoming" / "next", new)
             assert refused.value.status == 507
         (small_disk / "filling").unlink(missing_ok=True)
         after = hand_in(config, team, b"after", timezone.now())

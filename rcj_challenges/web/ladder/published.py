@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
 import hmac
 
 from pydantic import BaseModel
 
+from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.web.codes import SEEDS_DIFFER, TABLE_DIFFERS
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.ladder.ratings import Fit, Rating, Result, fit, standings
@@ -70,11 +70,6 @@ def seed_of(secret: str, use: str) -> int:
     return int.from_bytes(hmac.digest(secret.encode(), use.encode(), "sha256")[:_SEED_BYTES], "big")
 
 
-def secret_hash(secret: str) -> str:
-    """The hash that is published when a season begins."""
-    return hashlib.sha256(secret.encode()).hexdigest()
-
-
 def fit_of(results: Results) -> Fit:
     """Fit the strengths of programs to the matches that count.
 
@@ -107,6 +102,6 @@ def ensure_consistent(results: Results, table: list[Rating]) -> None:
     if (secret := results.secret) is None:
         return
     wrong = [one.number for one in results.matches if one.seed != seed_of(secret, str(one.number))]
-    if secret_hash(secret) != results.secret_hash or wrong:
+    if seed_hash(secret) != results.secret_hash or wrong:
         message = f"the seeds of matches do not follow from the secret: {', '.join(map(str, wrong[:_SHOWN]))}"
         raise SiteError(message, "ask the organizers for the reason", code=SEEDS_DIFFER)

@@ -80,7 +80,11 @@ def upload(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
                     digest.update(chunk)
                     size += len(chunk)
                     file.write(chunk)
-            submission = receive(viewer.team, season, path, digest.hexdigest(), size, begun_at, timezone.now(), "page")
+            new = Submission(
+                team=viewer.team, season=season, sha256=digest.hexdigest(), size_bytes=size, begun_at=begun_at,
+                received_at=timezone.now(), via="page",
+            )  # fmt: skip
+            submission = receive(path, new)
         finally:
             path.unlink(missing_ok=True)
     except RefusedError as refused:
