@@ -45,7 +45,6 @@ class DeviceManager:
             robot: RobotSensors(sensors.get(robot, {}), self.specs[robot].values, self._poses.robots[robot])
             for robot in robots
         }
-        self._uneven: list[RobotSensors] = []
         self._radio = RadioHub(scenario, roster, rays, half, fitted, self._queues)
         self._cameras = Cameras(fitted, make_sight, half, self._queues)
         self._motors = {robot: Motors([one for one in fitted if one.robot == robot], world) for robot in robots}
@@ -83,7 +82,6 @@ class DeviceManager:
         self._radio.silence(robot)
         self._cameras.silence(robot)
         self._sensors[robot].close(self._tick)
-        self._find_uneven()
 
     def messages_to_referee(self, tick: int) -> tuple[tuple[int, str], ...]:
         """Return the messages that have reached the referee by ``tick``, as `Snapshot.messages`."""
@@ -106,8 +104,6 @@ class DeviceManager:
         if tick % TRIM_EVERY_TICKS == 0:
             for queue in self._queues.values():
                 queue.trim()
-        for sensors in self._uneven:
-            sensors.choose(tick)
         self._radio.carry(tick, poses)
         self._radio.transmit(tick, output, poses)
         self._cameras.expose(tick, poses)
@@ -130,10 +126,6 @@ class DeviceManager:
         if self._cameras.set_period(robot, device, period_ticks):
             return
         self._sensors[robot].set_period(device, period_ticks, self._tick)
-        self._find_uneven()
-
-    def _find_uneven(self) -> None:
-        self._uneven = [sensors for sensors in self._sensors.values() if not sensors.is_even]
 
 
 def _make_sensors(fitted: Sequence[Fitted], context: SensorContext) -> dict[int, dict[int, Sensor]]:

@@ -15,13 +15,16 @@ class Schedule:
 
     A device enabled at tick k with period n is sampled at k + n, k + 2 n, …; enabling it again with the period it
     already has changes nothing (programs that call ``enable`` in their loop would otherwise never get a sample).
+
+    Attributes:
+        every_tick, seldom: the members that are due at every tick, and those that are not, in order.
     """
 
     def __init__(self) -> None:
         self._period: dict[int, int] = {}
         self._next: dict[int, int] = {}
-        self._every_tick: list[int] = []
-        self._seldom: list[int] = []
+        self.every_tick: list[int] = []
+        self.seldom: list[int] = []
 
     def set(self, member: int, period_ticks: int, now: int) -> None:
         """Set the period of a member; 0 disables it."""
@@ -29,28 +32,23 @@ class Schedule:
             return
         self._period[member] = period_ticks
         self._next[member] = now + period_ticks
-        self._every_tick = sorted(m for m, period in self._period.items() if period == 1)
-        self._seldom = sorted(m for m, period in self._period.items() if period > 1)
-
-    @property
-    def even(self) -> bool:
-        """Whether the same members are due at every tick."""
-        return not self._seldom
+        self.every_tick = sorted(m for m, period in self._period.items() if period == 1)
+        self.seldom = sorted(m for m, period in self._period.items() if period > 1)
 
     def enabled(self) -> Sequence[int]:
         """Return the members with a period, in order."""
-        return self._every_tick if not self._seldom else sorted(self._every_tick + self._seldom)
+        return self.every_tick if not self.seldom else sorted(self.every_tick + self.seldom)
 
     def due(self, tick: int) -> Sequence[int]:
         """Return the members to be sampled at ``tick``, in order. To be asked once per tick."""
-        if not self._seldom:
-            return self._every_tick
+        if not self.seldom:
+            return self.every_tick
         ready = []
-        for member in self._seldom:
+        for member in self.seldom:
             if tick >= self._next[member]:
                 self._next[member] = tick + self._period[member]
                 ready.append(member)
-        return sorted(self._every_tick + ready) if ready else self._every_tick
+        return sorted(self.every_tick + ready) if ready else self.every_tick
 
 
 class RobotSensors:
@@ -71,11 +69,6 @@ class RobotSensors:
             sensor.clear(self.values)
         self._choose(())
 
-    @property
-    def is_even(self) -> bool:
-        """Whether the same sensors are due at every tick; if not, `choose` is to be called at each."""
-        return self._schedule.even
-
     def set_period(self, device: int, period_ticks: int, now: int) -> None:
         """Let a sensor take samples every so many ticks; 0 disables it, and its numbers are gone."""
         if device not in self._sensors:
@@ -83,8 +76,7 @@ class RobotSensors:
         self._schedule.set(device, period_ticks, now)
         if not period_ticks:
             self._sensors[device].clear(self.values)
-        if self.is_even:
-            self.choose(now)
+        self._choose(self._schedule.every_tick)
 
     def set_frequency(self, device: int, frequency_hz: float) -> None:
         """Set the frequency of a sensor that turns."""
@@ -95,13 +87,10 @@ class RobotSensors:
         """Take no more samples; the numbers stay."""
         for device in tuple(self._schedule.enabled()):
             self._schedule.set(device, 0, now)
-        self.choose(now)
-
-    def choose(self, tick: int) -> None:
-        """Look up the sensors that are due at ``tick``. To be called once per tick at most."""
-        self._choose(self._schedule.due(tick))
+        self._choose(())
 
     def _choose(self, due: Sequence[int]) -> None:
+        """Look up the functions that read the sensors that are due, and the sensors that move on."""
         key = tuple(due)
         readers = self._known.get(key)
         if readers is None:
@@ -112,7 +101,9 @@ class RobotSensors:
         self._advancing = [sensor for sensor in enabled if sensor.advances]
 
     def read(self, tick: int) -> None:
-        """Take the samples that are due."""
+        """Take the samples that are due. To be called once per tick."""
+        if self._schedule.seldom:
+            self._choose(self._schedule.due(tick))
         pose, values = self._pose, self.values
         for sensor in self._advancing:
             sensor.advance(tick, pose)
