@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
@@ -151,10 +150,8 @@ class World:
         return self._recorder.present()
 
     def state_bytes(self) -> bytes:
-        """Return `qpos` and `qvel` as little-endian float64: the physics' part of the digest."""
-        if sys.byteorder == "little":
-            return self._qpos.tobytes() + self._qvel.tobytes()
-        return bytes(self.data.qpos.astype("<f8").tobytes() + self.data.qvel.astype("<f8").tobytes())
+        """Return `qpos` and `qvel`: the physics' part of the digest. All machines of MuJoCo are little-endian."""
+        return self._qpos.tobytes() + self._qvel.tobytes()
 
     def poses_bytes(self) -> bytes:
         """Return the poses of the latest snapshot as `Recorder.poses` has them: the record's part of it."""
