@@ -44,6 +44,7 @@ from rcj_challenges.rules.values.folded import Several
 from rcj_challenges.scenario.json_schema import keywords, sentence_of
 from rcj_challenges.scenario.models import designs, field, places, robots, scenario, state
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
+from scripts.sheet_sentences import sheet_sentences
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference-scenario.md"
@@ -343,6 +344,8 @@ def page() -> str:
                 anchor = re.sub(r"[^a-z_ -]", "", heading).replace(" ", "-")
                 shown[example.text] = f"[`{word.name}`](#{anchor})"
                 lines += ["\n```yaml", example.text.rstrip(), "```"]
+            if sentences := sheet_sentences(word.model, chapter.file, example.whole):
+                lines += ["\nOn the rule sheet:\n", *(f"* {sentence}" for sentence in sentences)]
     return "\n".join(lines) + "\n"
 
 

@@ -30,11 +30,6 @@ class DifferentialChassis(Chassis):
 kits:
   v2: {chassis: {wheel_track_m: 0.1, max_wheel_radps: 8, jaws_m: [0.01, 0.05]}}
 """
-    SENTENCE = (
-        "a cube of 7.5 cm with jaws that reach 1 cm ahead, 5 cm apart, on two wheels; its mass is 0.2 kg, and 0.005 kg "
-        "that of each wheel. The wheels have a radius of 2 cm, are 1 cm wide and 10 cm apart, from centre to centre; "
-        "they turn at up to 8 rad/s, which drives it at 0.16 m/s"
-    )
 
     def wheels(self) -> tuple[Wheel, ...]:
         """Return its wheels: ``left`` is +y of the robot that looks along +x."""

@@ -66,13 +66,6 @@ kits:
       left wheel sensor: {device: wheel_sensor, wheel: 0}
       right wheel sensor: {device: wheel_sensor, wheel: 3}
 """
-    SENTENCE = (
-        "a round body with a flat front, 7.5 cm wide and high, with jaws that reach 0.5 cm ahead, 5 cm apart, on 4 "
-        "omni wheels at 60°, 135°, 225° and 300°, counter-clockwise from its front; its mass is 0.2 kg, and 0.005 kg "
-        "that of each wheel. The wheels have a radius of 1.6 cm, are 0.8 cm wide and 2.8 cm from the centre, and hold "
-        "with 50 % of the friction of tyres; they turn at up to 12.5 rad/s, forward is counter-clockwise around the "
-        "robot; at their best they drive it at 0.283 m/s"
-    )
 
     def wheels(self) -> tuple[Wheel, ...]:
         """Return its wheels, which drive counter-clockwise around it."""

@@ -24,7 +24,6 @@ class AccelerometerDevice(Device):
 robots:
   Y1: {devices: {accelerometer: {device: accelerometer, noise_mps2: 0.1}}}
 """
-    SENTENCE = "acceleration ahead, to the left and up in m/s², at rest 0, 0, 9.81 (noise: standard deviation 0.1 m/s²)"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return AccelerometerSensor(self, fitted, context)

@@ -33,7 +33,6 @@ class BallReceiverDevice(ReceiverDevice):
 robots:
   Y1: {devices: {ball receiver: {device: ball_receiver, range_m: 2, direction_noise_rad: 0.05}}}
 """
-    SENTENCE = "infra-red receiver of balls, up to 2 m (noise: standard deviation 2.86° of the direction)"
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"channel": self.channel, "range": self.range_m, "refused_channels": []}

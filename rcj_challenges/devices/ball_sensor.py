@@ -25,9 +25,6 @@ class BallSensorDevice(Device):
 robots:
   Y1: {devices: {ball sensor: {device: ball_sensor, range_m: 0.01}}}
 """
-    SENTENCE = (
-        "light barrier: how far a ball is from the middle of the robot's front, within 2 cm to its sides, up to 1 cm"
-    )
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         reach = _MM_PER_M * self.range_m

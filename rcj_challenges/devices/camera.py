@@ -65,10 +65,6 @@ class CameraDevice(Device):
 robots:
   Y1: {devices: {front camera: {device: camera, light: [0.85, 1.15]}}}
 """
-    SENTENCE = (
-        "camera, bearing 0°, 60° wide, 64 x 48 pixels (62 % of the rows below the horizon), a picture every 96 ms, "
-        "3 cm off the robot's centre and 6 cm above the floor; its brightness is drawn for each half, from 0.85 to 1.15"
-    )
 
     @property
     def every_ticks(self) -> int:

@@ -26,7 +26,6 @@ class CompassDevice(Device):
 robots:
   Y1: {devices: {compass: {device: compass, noise_rad: 0.02}}}
 """
-    SENTENCE = "direction of north (noise: standard deviation 1.15°)"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return CompassSensor(self, fitted, context)

@@ -25,7 +25,6 @@ class DribblerDevice(Device):
 robots:
   Y1: {devices: {dribbler motor: {device: dribbler, force_n: 0.2}}}
 """
-    SENTENCE = "dribbler: a roller of 1 cm radius that turns at up to 50 rad/s; its rim pulls with up to 0.2 N"
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"max_velocity": self.max_radps}

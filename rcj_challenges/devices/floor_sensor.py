@@ -27,10 +27,6 @@ class FloorSensorDevice(Device):
 robots:
   Y1: {devices: {floor sensor: {device: floor_sensor, ahead_m: 0.03, noise: 0.05}}}
 """
-    SENTENCE = (
-        "brightness of the floor from 0 to 1000, 3 cm ahead and 0 cm left of the robot's centre "
-        "(noise: standard deviation 5 % of the value)"
-    )
 
     def place(self) -> Vector:
         return self.ahead_m, self.left_m, 0.0

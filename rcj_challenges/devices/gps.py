@@ -25,7 +25,6 @@ class GpsDevice(Device):
 robots:
   Y1: {devices: {gps: {device: gps, noise_m: 0.01}}}
 """
-    SENTENCE = "position of the robot (noise: standard deviation 1 cm)"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return GpsSensor(self, fitted, context)

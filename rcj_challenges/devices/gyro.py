@@ -26,10 +26,6 @@ class GyroDevice(Device):
 robots:
   Y1: {devices: {gyro: {device: gyro, noise_radps: 0.02, drift_radps: 0.005}}}
 """
-    SENTENCE = (
-        "how fast the robot turns in rad/s (noise: standard deviation 1.15° a second; in each half it reads too much "
-        "by an amount of standard deviation 0.286° a second)"
-    )
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return GyroSensor(self, fitted, context)

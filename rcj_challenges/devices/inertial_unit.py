@@ -31,9 +31,6 @@ class InertialUnitDevice(Device):
 robots:
   Y1: {devices: {inertial unit: {device: inertial_unit, noise_rad: 0.01, drift_radps: 0.001}}}
 """
-    SENTENCE = (
-        "roll, pitch and yaw in rad (noise: standard deviation 0.573° of the yaw and 0.0573° a second of its drift)"
-    )
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"noise": self.noise_rad}

@@ -24,7 +24,6 @@ class KickerDevice(Device):
 robots:
   Y1: {devices: {kicker motor: {device: kicker, speed_mps: 1.2}}}
 """
-    SENTENCE = "kicker: at most 1.2 m/s, charged again after 2 s"
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"max_velocity": self.speed_mps, "unit": "m/s"}

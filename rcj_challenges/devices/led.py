@@ -24,7 +24,6 @@ class LedDevice(Device):
 robots:
   Y1: {devices: {led: {device: led, colours: [red, lime]}}}
 """
-    SENTENCE = "light that can be red or lime"
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"max_velocity": float(len(self.colours)), "unit": "", "colours": list(self.colours)}

@@ -55,10 +55,6 @@ class LidarDevice(Device):
 robots:
   Y1: {devices: {lidar: {device: lidar, points: 180, max_range_m: 1.5, rotating: false, noise_m: 0.005}}}
 """
-    SENTENCE = (
-        "lidar, 180 points, 1 cm to 1.5 m (noise: standard deviation 0.5 cm), "
-        "4.25 cm above the floor, clockwise from the front"
-    )
 
     @property
     def numbers(self) -> int:

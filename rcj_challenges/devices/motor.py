@@ -31,7 +31,6 @@ robots:
       left wheel motor: {device: motor, wheel: left, direction: 1}
       right wheel motor: {device: motor, wheel: right, direction: 1}
 """
-    SENTENCE = "motor of the left wheel, positive speeds drive forward"
 
     def facts(self, setup: RobotSetup) -> dict[str, Any]:
         return {"max_velocity": setup.chassis.max_wheel_radps}

@@ -55,11 +55,6 @@ robots:
     devices:
       distancesensor front left: {device: sonar, bearing_rad: 0.7854, range_m: 0.5}
 """
-    SENTENCE = (
-        "distance sensor, bearing 45°, up to 0.5 m (noise: standard deviation 2.5 % of the value at 0.5 m, less when "
-        "nearer: at half the distance half that share), 3.85 cm off the robot's centre and 5.75 cm above the floor, "
-        "without an echo of what it meets at 22.5° or more off the perpendicular"
-    )
 
     def place(self) -> Vector:
         return self.offset_m * math.cos(self.bearing_rad), self.offset_m * math.sin(self.bearing_rad), self.height_m

@@ -20,7 +20,6 @@ class SupervisorReceiverDevice(ReceiverDevice):
 robots:
   Y1: {devices: {referee: {device: supervisor_receiver, channel: 1}}}
 """
-    SENTENCE = "receiver of the referee's packets, channel 1"
 
     def facts(self, setup: RobotSetup) -> dict[str, Any]:
         facts = {"channel": self.channel, "range": RANGE_M, "refused_channels": list(setup.foreign_channels)}

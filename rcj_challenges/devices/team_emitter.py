@@ -41,7 +41,6 @@ robots:
   # Y1 sends slowly: 38 bytes per tick.
   Y1: {devices: {team emitter: {device: team_emitter, baud: 9600}}}
 """
-    SENTENCE = "team radio, sends up to 10 m far, 9600 baud (38.4 bytes in a tick)"
 
     def facts(self, setup: RobotSetup) -> dict[str, Any]:
         open_to_referee = {"referee_channels": list(setup.open_channels)} if setup.open_channels else {}

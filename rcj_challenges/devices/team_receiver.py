@@ -19,7 +19,6 @@ robots:
   # Y1 only receives team-mates within half a metre.
   Y1: {devices: {team receiver: {device: team_receiver, range_m: 0.5}}}
 """
-    SENTENCE = "team radio, receives from up to 0.5 m"
 
     def facts(self, setup: RobotSetup) -> dict[str, Any]:
         return {

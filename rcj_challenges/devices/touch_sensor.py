@@ -26,9 +26,6 @@ class TouchSensorDevice(Device):
 robots:
   Y1: {devices: {bumper: {device: touch_sensor, bearing_rad: 1.5708, angle_rad: 1}}}
 """
-    SENTENCE = (
-        "bumper, bearing 90°, 57.3° wide: 1 if it touched a wall, an obstacle or a robot in the last tick, else 0"
-    )
 
     def looks(self) -> tuple[float, float]:
         return self.bearing_rad, self.angle_rad

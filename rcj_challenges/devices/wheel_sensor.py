@@ -27,7 +27,6 @@ class WheelSensorDevice(Device):
 robots:
   Y1: {devices: {left wheel sensor: {device: wheel_sensor, wheel: left}}}
 """
-    SENTENCE = "angle of the left wheel in rad, grows while the robot drives forward"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return WheelSensor(self, fitted, context)

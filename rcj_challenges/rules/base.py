@@ -35,14 +35,13 @@ class Word(Strict):
 
     Attributes:
         KEY: the field that says which word it is: ``trigger``.
-        EXAMPLE: sections of a scenario that show it; run as a test and printed in the reference.
-        SENTENCE: how the rule sheet describes the one in the example.
+        EXAMPLE: sections of a scenario that show it; run as a test, and printed in the reference with the sentences of
+            the rule sheet about it.
     """
 
     # ClassVar alone: pydantic would evaluate ClassVar[str] again for each word.
     KEY: ClassVar = ""
     EXAMPLE: ClassVar = ""
-    SENTENCE: ClassVar = ""
     READS_MESSAGES: ClassVar = False
 
     @classmethod

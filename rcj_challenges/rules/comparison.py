@@ -201,6 +201,5 @@ def _is_of_one(phrases: Phrases, clause: Clause) -> bool:
 def comparison_of(value: type[NumberValue]) -> type[Compared]:
     """Return the condition that compares a value, with the keys of both; its example is that of the value."""
     model = with_keys_of(value, Compared, "Is")
-    model.SENTENCE = value.COMPARED
     model.REQUIRES = value.REQUIRES if value.IS_FACT else Compared.REQUIRES
     return model

@@ -39,14 +39,12 @@ class NumberValue(ValueWord):
         IS_PART: that the schema defines these fields once for all such values.
         OVER: the field in which ``highest``, ``lowest`` and ``sum`` put each member of a group; empty: it has none.
         DIGITS: to how many digits behind the point it is sent, counted and compared with another value; None: to all.
-        COMPARED: how the rule sheet describes the condition in the example that compares it.
         IS_FACT: whether it is a condition without a comparison too.
     """
 
     IS_PART: ClassVar = True
     OVER: ClassVar = ""
     DIGITS: ClassVar[int | None] = None
-    COMPARED: ClassVar = ""
     IS_FACT: ClassVar = False
 
     otherwise: Amount | None = described(

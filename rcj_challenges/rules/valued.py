@@ -38,5 +38,5 @@ def with_keys_of(value: type[NumberValue], says: type[_V], suffix: str) -> type[
     doc = f"The value `{value.KEY}`."
     model = cast("Any", create_model(name, __base__=bases, __module__=__name__, __doc__=doc))
     model.VALUE = model.DEFINED_AS = value
-    model.EXAMPLE = model.SENTENCE = ""
+    model.EXAMPLE = ""
     return cast("type[_V]", model)

@@ -38,7 +38,6 @@ expect:
     score: {yellow: 1, blue: 1}
     roles: {thrower: Y1}
 """
-    SENTENCE = "the next of them becomes “thrower”"
 
     def compile(self, to: Binder) -> Act:
         role, given = self.role, self.to

@@ -51,7 +51,6 @@ expect:
     score: {yellow: 3}
     counters: {rounds: 2}
 """
-    SENTENCE = "the counter “rounds” grows by 1"
 
     def compile(self, to: Binder) -> Act:
         """Return a function that changes a counter: first ``to``, then ``by``."""

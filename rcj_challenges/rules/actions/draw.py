@@ -36,7 +36,6 @@ expect:
     lasts_s: 2
     events: [{event: SIDE, payload: {side: left}}]
 """
-    SENTENCE = "“side” becomes “left”"
 
     def compile(self, to: Binder) -> Act:
         name = self.draw

@@ -34,7 +34,6 @@ expect:
     lasts_s: 2
     events: [{event: GOAL, payload: {team_name: Yellow, score: 1, points: 1}}]
 """
-    SENTENCE = "GOAL is announced (team_name: the team name of yellow, score: the score of yellow, points: 1)"
 
     def compile(self, to: Binder) -> Act:
         name = self.event

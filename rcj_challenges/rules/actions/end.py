@@ -34,7 +34,6 @@ expect:
     events: [{event: OVER, at_s: 1}]
     score: {yellow: 1}
 """
-    SENTENCE = "the match ends (golden goal)"
 
     def compile(self, to: Binder) -> Act:
         """Return a function that ends the half, or the match, after the last firing of this tick.

@@ -55,7 +55,6 @@ expect:
     lasts_s: 7
     held: {Y1: true, Y2: false, Y3: false, B1: true}
 """
-    SENTENCE = "it is held still until it is let go"
 
     def compile(self, to: Binder) -> Act:
         state, robots = to.state, to.entities(self.entity)

@@ -33,7 +33,6 @@ expect:
     lasts_s: 2
     poses: {ball: [0, 0], Y1: [0.4, -0.4]}
 """
-    SENTENCE = "the ball is put on the spot “centre”"
 
     def compile(self, to: Binder) -> Act:
         if isinstance(self.layout, DrawValue):

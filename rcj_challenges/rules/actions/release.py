@@ -20,7 +20,6 @@ class Release(Action):
 
     EFFECT = Releases
     EXAMPLE = Hold.EXAMPLE
-    SENTENCE = "it is let go"
 
     def compile(self, to: Binder) -> Act:
         robots, held, trackers = to.entities(self.entity), to.state.held, to.trackers

@@ -51,7 +51,6 @@ expect:
     lasts_s: 2
     off: [Y1]
 """
-    SENTENCE = "Y1 is taken off the field and after 2 s put on the spot “middle yellow”"
 
     def compile(self, to: Binder) -> Act:
         away_s = None if self.for_s is None else compile_duration(self.for_s, to)

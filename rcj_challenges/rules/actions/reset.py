@@ -55,7 +55,6 @@ expect:
     score: {yellow: 0}
     counters: {passes: 0}
 """
-    SENTENCE = "the counter “passes” and the sequence “across” start again"
 
     def _named(self) -> Iterator[tuple[str, str]]:
         """Yield the kind and the name of all that is reset."""

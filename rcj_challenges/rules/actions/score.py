@@ -67,7 +67,6 @@ expect:
     lasts_s: 2
     score: {yellow: 0}
 """
-    SENTENCE = "yellow gets 1 point"
 
     def compile(self, to: Binder) -> Act:
         """Return a function that gives points to an entrant; to none if nothing touched what they are given for."""

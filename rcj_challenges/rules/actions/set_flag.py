@@ -30,7 +30,6 @@ expect:
     lasts_s: 2
     flags: {armed: true, side: true}
 """
-    SENTENCE = "the flag “armed” is set"
 
     def compile(self, to: Binder) -> Act:
         flags, name, new, whose = to.state.flags, self.flag, self.to, to.owners("flags", self.flag, self.entity)

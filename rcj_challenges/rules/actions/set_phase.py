@@ -38,7 +38,6 @@ expect:
     score: {yellow: 3}
     phase: play
 """
-    SENTENCE = "the phase “second task” begins"
 
     def compile(self, to: Binder) -> Act:
         phase = self.phase

@@ -74,7 +74,6 @@ expect:
     counters: {longest_pass_m: 0.6}
     poses: {kicked_from: [0.2, -0.1]}
 """
-    SENTENCE = "the place of the ball is remembered as the spot “kicked from”"
 
     def compile(self, to: Binder) -> Act:
         """Return a function that sets a spot to a place, its mirror image, or a random place inside the walls.

@@ -45,7 +45,6 @@ expect:
     lasts_s: 16
     events: [{event: OVER, at_s: 14, tolerance_s: 0.1}]
 """
-    SENTENCE = "the timer “stopwatch” is stopped"
 
     def compile(self, to: Binder) -> Act:
         state, do, timer = to.state, self.do, self.timer

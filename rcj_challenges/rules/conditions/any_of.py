@@ -32,7 +32,6 @@ expect:
     lasts_s: 5
     score: {yellow: 1}
 """
-    SENTENCE = "either the ball moves at a speed of at least 0.3 m/s or the last to touch the ball was Y3"
 
     @property
     def alternatives(self) -> tuple[Condition, ...]:

@@ -32,7 +32,6 @@ class DrawIs(Condition):
     EXCLUDES = Compared.EXCLUDES
     REQUIRES = Compared.REQUIRES
     EXAMPLE = DrawValue.EXAMPLE
-    SENTENCE = "“blue goal” was drawn as “target”"
 
     def _bounded(self) -> Condition:
         """Return the comparison of the number."""

@@ -19,7 +19,6 @@ class LastTouchIs(Condition):
     ABOUT = "last_touch"
     NOTES = (LAST_TOUCH_NOTE,)
     EXAMPLE = LastTouchValue.EXAMPLE
-    SENTENCE = "the last to touch the ball was one of the blue robots"
 
     def test(self, to: Binder) -> Test:
         (touched,), by = to.entities(self.last_touch), frozenset(to.entities(self.equals))

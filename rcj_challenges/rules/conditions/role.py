@@ -20,7 +20,6 @@ class RoleIs(Condition):
 
     KEY = "role"
     EXAMPLE = RoleValue.EXAMPLE
-    SENTENCE = "nothing is “hunter”"
 
     def test(self, to: Binder) -> Test:
         draws, name = to.state.draws, self.role

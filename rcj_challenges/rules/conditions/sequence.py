@@ -49,7 +49,6 @@ expect:
     lasts_s: 5
     score: {yellow: 1}
 """
-    SENTENCE = "at least 2 of the yellow robots have a sequence “across” that stands at the west"
 
     def test(self, to: Binder) -> Test:
         trackers, of, (step,) = to.sequences(self.sequence), self.of, to.members(self.equals)

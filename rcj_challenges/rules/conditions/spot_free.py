@@ -36,7 +36,6 @@ expect:
     lasts_s: 3
     events: []
 """
-    SENTENCE = "the spot “centre” is free within 0.1 m"
 
     def test(self, to: Binder) -> Test:
         of, free = self.of, to.free_spots(self.spot_free, self.clearance_m)

@@ -17,7 +17,6 @@ class ToldIs(Compared, Message, ReportedValue):
     REQUIRES = ()
     EXCLUDES = (*Compared.EXCLUDES, ("text", ("at_least", "at_most", "above", "below", "equals")))
     EXAMPLE = ReportedValue.EXAMPLE
-    SENTENCE = "it does not have what was drawn as “number” as its last message to the referee"
 
     def test(self, to: Binder) -> Test:
         if self.limits():

@@ -31,7 +31,6 @@ expect:
     poses: {ball: [0.5, 0.05]}
     tolerance_m: 0.051
 """
-    SENTENCE = "on (0.5, 0) or (0.5, 0.1)"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return a function that draws a spot or point; a draw among them stands for the spot that it decided."""

@@ -34,4 +34,3 @@ expect:
     lasts_s: 2
     poses: {Y1: [0, -0.2]}
 """
-    SENTENCE = "on the free one of the spot “middle blue” and the spot “middle yellow” that is furthest from the ball"

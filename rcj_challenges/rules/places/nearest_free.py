@@ -31,4 +31,3 @@ expect:
     poses: {ball: [0.3, -0.3]}
     tolerance_m: 0.61
 """
-    SENTENCE = "on the free one of the neutral spots that is nearest to where it is"

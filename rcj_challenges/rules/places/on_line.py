@@ -29,7 +29,6 @@ expect:
     poses: {ball: [0, 0]}
     tolerance_m: 0.45
 """
-    SENTENCE = "anywhere on the line from (-0.45, 0) to (0.45, 0), at least 0.25 m from the nearest of the robots"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         return PlaceResolver(self.finder(to, self.sampler(to)), random=True)

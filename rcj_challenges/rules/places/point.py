@@ -21,7 +21,6 @@ expect:
     lasts_s: 2
     poses: {ball: [0.4, 0.1]}
 """
-    SENTENCE = "at (0.4, 0.1)"
 
     def compile(self, _to: Scope, _entity: int) -> PlaceResolver:
         return PlaceResolver(lambda request: request.mirrored(self.point))

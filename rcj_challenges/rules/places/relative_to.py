@@ -35,7 +35,6 @@ expect:
     lasts_s: 2
     poses: {ball: [-0.4, -0.1]}
 """
-    SENTENCE = "0.1 m to the front of Y1, as Y1 is turned"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return a function that finds the point beside something.

@@ -34,7 +34,6 @@ expect:
     lasts_s: 2
     poses: {ball: [0.5, -0.1]}
 """
-    SENTENCE = "on the spot “mark”"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         read = to.locate(self.spot)

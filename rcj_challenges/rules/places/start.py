@@ -22,7 +22,6 @@ expect:
     poses: {Y1: [-0.3, -0.3]}
     tolerance_m: 0.11
 """
-    SENTENCE = "at its start"
 
     def compile(self, to: Scope, entity: int) -> PlaceResolver:
         (x, y, _), noise_m = to.start_of(entity)

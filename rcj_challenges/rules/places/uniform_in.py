@@ -33,7 +33,6 @@ expect:
     poses: {ball: [0.4, 0]}
     tolerance_m: 0.1
 """
-    SENTENCE = "anywhere in the middle"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         return PlaceResolver(self.finder(to, self.sampler(to)), random=True)

@@ -42,7 +42,6 @@ expect:
     lasts_s: 4
     events: [{event: THROUGH, at_s: 1.5, tolerance_s: 0.05}]
 """
-    SENTENCE = "Y1 crosses the first gate forward"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to a tracker for each entity and gate; of a draw's name for each gate that it may decide on."""

@@ -60,7 +60,6 @@ expect:
     lasts_s: 3
     events: [{event: PUSHED, at_s: 2, payload: {robot_name: B1}}]
 """
-    SENTENCE = "it is more than 5 cm from where it was put"
 
     def bind(self, to: Binder) -> None:
         limits = tuple(

@@ -36,7 +36,6 @@ expect:
     lasts_s: 3
     events: [{event: GOAL, at_s: 1.73, tolerance_s: 0.05}]
 """
-    SENTENCE = "the ball enters the blue goal or the yellow goal"
 
     def bind(self, to: Binder) -> None:
         for entity in to.entities(self.entity):

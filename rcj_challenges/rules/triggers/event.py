@@ -36,7 +36,6 @@ expect:
     lasts_s: 2
     events: [{event: GOAL, at_s: 0.96, tolerance_s: 0.01}, {event: CHEER, at_s: 0.992, tolerance_s: 0.01}]
 """
-    SENTENCE = "GOAL was announced"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to an event, or to the event about each of those that are named."""

@@ -17,7 +17,6 @@ class HalfEnded(Trigger):
 
     IS_TIME = True
     EXAMPLE = HalfStarted.EXAMPLE
-    SENTENCE = "a half is over"
 
     def bind(self, to: Binder) -> None:
         to.clock_events.half_ended.append((self.by, to.binding()))

@@ -27,7 +27,6 @@ expect:
     lasts_s: 60
     events: [{event: BEGIN, at_s: 0}, {event: OVER, at_s: 60}]
 """
-    SENTENCE = "a half starts"
 
     def bind(self, to: Binder) -> None:
         to.clock_events.half_started.append(to.binding())

@@ -55,7 +55,6 @@ expect:
     lasts_s: 5
     score: {yellow: 3}
 """
-    SENTENCE = "the ball is at most 0.1 m from the spot “centre” for 1 s, and again every 1 s while that lasts"
 
     @property
     def condition(self) -> Condition:

@@ -32,7 +32,6 @@ expect:
     lasts_s: 2
     events: [{event: OUT, at_s: 1, payload: {robot_name: B2}}]
 """
-    SENTENCE = "it leaves the zones “in play”"
 
     def bind(self, to: Binder) -> None:
         for entity in to.entities(self.entity):

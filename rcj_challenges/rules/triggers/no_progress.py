@@ -43,7 +43,6 @@ expect:
     lasts_s: 12
     events: [{event: STUCK, at_s: 10.05}]
 """
-    SENTENCE = "the ball has moved less than 0.5 m in all over the last 10 s"
 
     def bind(self, to: Binder) -> None:
         limit_m = compile_limit(self.distance_m, to, most=inf, none=0.0)

@@ -36,7 +36,6 @@ expect:
     lasts_s: 5
     events: [{event: KICKOFF, at_s: 3.04, tolerance_s: 0.05}]
 """
-    SENTENCE = "the phase “play” begins after “pause”"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to a phase: it is entered when the one before runs out, or one tick after ``set_phase``."""

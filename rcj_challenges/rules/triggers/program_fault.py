@@ -26,7 +26,6 @@ expect:
     lasts_s: 2
     events: [{event: CRASHED, payload: {robot_name: Y2}}]
 """
-    SENTENCE = "its program fails"
 
     def bind(self, to: Binder) -> None:
         for robot in to.entities(self.robot):

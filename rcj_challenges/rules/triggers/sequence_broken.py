@@ -25,7 +25,6 @@ class SequenceBroken(Trigger):
 
     MEASURED = "the time in s since the first step of the sequence"
     EXAMPLE = SequenceCompleted.EXAMPLE
-    SENTENCE = "the sequence “carry” is broken"
 
     def bind(self, to: Binder) -> None:
         for tracker in trackers_of(to, self.sequence, self.entity):

@@ -57,7 +57,6 @@ expect:
     lasts_s: 3
     events: [{event: WRONG_WAY}]
 """
-    SENTENCE = "the sequence “carry” is complete"
 
     def bind(self, to: Binder) -> None:
         for tracker in trackers_of(to, self.sequence, self.entity):

@@ -45,7 +45,6 @@ expect:
     lasts_s: 8
     events: [{event: TOO_LONG, at_s: 6.05, payload: {robot_name: Y1}}]
 """
-    SENTENCE = "it has been in one of the penalty areas for more than 5 s (leaving for up to 1 s does not count)"
 
     def bind(self, to: Binder) -> None:
         zones, region = to.members(self.zone), to.region(self.zone)

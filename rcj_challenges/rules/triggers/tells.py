@@ -38,7 +38,6 @@ expect:
     lasts_s: 3
     score: {yellow: 8}
 """
-    SENTENCE = "the referee receives a position (two numbers, x and y in m) from it"
 
     def bind(self, to: Binder) -> None:
         fits = self.matcher(to.state.draws)

@@ -39,7 +39,6 @@ expect:
     events: [{event: HALF_WAY, at_s: 30}]
     counters: {rounds: 8}
 """
-    SENTENCE = "the half has lasted 30 s"
 
     def bind(self, to: Binder) -> None:
         binding, at_s = to.binding(), compile_limit(self.at_s, to, TICK_S)

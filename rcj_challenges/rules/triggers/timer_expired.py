@@ -43,7 +43,6 @@ expect:
     lasts_s: 10
     events: [{event: NO_ROBOT_CAME, at_s: 8}]
 """
-    SENTENCE = "the timer “patience” runs out"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to a timer; of one per entity to that of ``each``, else to any of them."""

@@ -44,7 +44,6 @@ expect:
     lasts_s: 2
     events: [{event: FELL, payload: {robot_name: B3}}]
 """
-    SENTENCE = "one of the robots tilts by more than 45.8°"
 
     def bind(self, to: Binder) -> None:
         limit_rad = compile_limit(self.angle_rad, to, most=pi, none=pi)

@@ -89,7 +89,6 @@ expect:
     lasts_s: 3
     score: {blue: 1, yellow: 0}
 """
-    SENTENCE = "it touches one of the robots"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to new contacts of each pair, and with ``every_s`` to a tracker of contacts that last."""

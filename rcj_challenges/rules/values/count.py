@@ -34,7 +34,6 @@ expect:
     lasts_s: 2
     score: {yellow: 5}
 """
-    SENTENCE = "the number of blue robots that are in the blue penalty area"
 
     def facts(self, to: Scope) -> tuple[Fact, ...]:
         state, flag = to.state, self.flag

@@ -38,8 +38,6 @@ expect:
     lasts_s: 4
     events: [{event: GOAL, payload: {goals: 1, score: 1}}, {event: GOAL, payload: {goals: 2, score: 3}}]
 """
-    SENTENCE = "the counter “goals”"
-    COMPARED = "the counter “goals” is less than 5"
 
     def measure(self, to: Scope) -> Reader:
         state, name, whose = to.state, self.counter, self.whose(to)

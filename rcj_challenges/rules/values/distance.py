@@ -60,8 +60,6 @@ expect:
     lasts_s: 2
     events: []
 """
-    SENTENCE = "the distance between the ball and the gate “line” in m"
-    COMPARED = "all of the blue robots are at least 0.3 m from the ball"
 
     def measure(self, to: Scope) -> Reader:
         here, there = (to.targets(end) for end in self.distance)

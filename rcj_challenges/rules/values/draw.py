@@ -40,7 +40,6 @@ expect:
     events: [{event: NEXT_TARGET, payload: {target: yellow_goal}}]
     score: {yellow: 10}
 """
-    SENTENCE = "what was drawn as “bonus”"
 
     def as_it_is(self, to: Scope) -> Reader:
         draws, name = to.state.draws, self.draw

@@ -51,8 +51,6 @@ expect:
     lasts_s: 4
     score: {yellow: 1}
 """
-    SENTENCE = "whether Y1 is held"
-    COMPARED = "at least 2 of the yellow robots are in the blue penalty area"
 
     def measure(self, to: Scope) -> Reader:
         (entity,), facts = to.entities(self.entity), self.facts(to)

@@ -41,8 +41,6 @@ expect:
     score: {yellow: 7}
     events: [{event: GOAL, payload: {with_bonus: true}}, {event: GOAL, payload: {with_bonus: false}}]
 """
-    SENTENCE = "whether the flag “bonus” is set"
-    COMPARED = "the flag “bonus” is set"
     IS_FACT = True
 
     def measure(self, to: Scope) -> Reader:

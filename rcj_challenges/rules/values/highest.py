@@ -37,7 +37,6 @@ expect:
     lasts_s: 3
     events: [{event: FIRST, payload: {robot_name: Y2}}, {event: LAST, payload: {robot_name: Y1}}]
 """
-    SENTENCE = "the highest counter “laps” of all others on the field"
 
     def fold(self, numbers: Sequence[Number]) -> Number | None:
         return max(numbers, default=None)

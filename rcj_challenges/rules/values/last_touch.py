@@ -30,7 +30,6 @@ expect:
     lasts_s: 4
     events: [{event: OWN_GOAL, payload: {by: B1}}]
 """
-    SENTENCE = "the name of the last to touch the ball"
 
     def read(self, to: Scope) -> Reader:
         contacts, (touched,) = to.contacts, to.entities(self.last_touch)

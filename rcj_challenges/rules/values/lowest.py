@@ -15,7 +15,6 @@ class LowestValue(FoldedValue):
 
     KEY = "lowest"
     EXAMPLE = HighestValue.EXAMPLE
-    SENTENCE = "the lowest counter “laps” of all others on the field"
 
     def fold(self, numbers: Sequence[Number]) -> Number | None:
         return min(numbers, default=None)

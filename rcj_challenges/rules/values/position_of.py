@@ -30,7 +30,6 @@ expect:
     lasts_s: 2
     told: {robots: {ball: [0, 0.8]}}
 """
-    SENTENCE = "the position of the ball"
 
     def read(self, to: Scope) -> Reader:
         locate = to.locate(self.position_of)

@@ -46,7 +46,6 @@ expect:
     score: {blue: 3}
     events: [{event: WRONG, payload: {robot_name: B1, told: "2"}}]
 """
-    SENTENCE = "what it has told the referee last"
 
     def as_it_is(self, to: Scope) -> Reader:
         messages, robot = to.state.messages, to.members(self.told)[0]

@@ -35,7 +35,6 @@ expect:
     score: {yellow: 2, blue: 0}
     events: [{event: FIRST, payload: {hunter: Y2}}]
 """
-    SENTENCE = "the name of “hunter”"
 
     def read(self, to: Scope) -> Reader:
         draws, name = to.state.draws, self.role

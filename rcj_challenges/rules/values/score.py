@@ -48,8 +48,6 @@ expect:
     lasts_s: 2
     score: {yellow: 0}
 """
-    SENTENCE = "the score of blue"
-    COMPARED = "the score of yellow is less than the score of blue"
 
     def measure(self, to: Scope) -> Reader:
         scores, entrants = to.state.scores, to.entrants(self.score)

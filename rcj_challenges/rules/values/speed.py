@@ -40,8 +40,6 @@ expect:
     lasts_s: 3
     score: {yellow: 0}
 """
-    SENTENCE = "the speed of the ball in m/s"
-    COMPARED = "the ball moves at a speed of at least 0.3 m/s"
 
     def measure(self, to: Scope) -> Reader:
         state, entity = to.state, to.entities(self.speed)[0]

@@ -38,7 +38,6 @@ expect:
     lasts_s: 4
     score: {yellow: 5}
 """
-    SENTENCE = "the counter “hits”, plus 3 if the flag “blue corner” is set, plus 3 if the flag “yellow corner” is set"
 
     def fold(self, numbers: Sequence[Number]) -> Number:
         total: Number = 0

@@ -41,8 +41,6 @@ expect:
     counters: {run_s: 5.504}
     events: [{event: GOAL, payload: {after_s: 5.504}}]
 """
-    SENTENCE = "the time in s that the timer “attempt” has run"
-    COMPARED = "the timer “attempt” has run for at most 15 s"
     IS_FACT = True
 
     def measure(self, to: Scope) -> Reader:

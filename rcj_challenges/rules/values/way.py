@@ -50,8 +50,6 @@ expect:
     score: {yellow: 8}
     events: [{event: BROUGHT, payload: {in_all_m: 1.2}}]
 """
-    SENTENCE = "the way of the ball in this half in m"
-    COMPARED = "the ball has a way in this half of less than 5 m"
 
     def measure(self, to: Scope) -> Reader:
         ways, entity = to.state.ways, to.entities(self.way)[0]

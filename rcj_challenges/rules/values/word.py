@@ -45,8 +45,6 @@ expect:
     score: {yellow: 51}
     events: [{event: GOAL, payload: {team: Yellow, half: 1}}]
 """
-    SENTENCE = "the time in s"
-    COMPARED = "it is half 1"
 
     def stands_for(self, bound: str) -> bool:
         return bound == FACTS[self.word].about and (self.of is None or bound == "other")
