@@ -48,7 +48,7 @@ class CompileContext:
         self.queue = PlacementQueue()
         self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
-        self._by_draw: dict[str, list[Tracker]] = {}
+        self._by_draw: dict[str, dict[Tracker, None]] = {}
         self._sequences: dict[str, dict[str | None, SequenceTracker]] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}
@@ -91,12 +91,11 @@ class CompileContext:
         return read(NO_FIRING)
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
-        """Reset a tracker whenever one of the draws among these names decides otherwise."""
-        for name in names:
-            if (name in self.roster.drawn or name in self.roster.roles) and tracker not in self._by_draw.setdefault(
-                name, []
-            ):
-                self._by_draw[name].append(tracker)
+        """Reset a tracker whenever one of the draws among these names, or at which circles sit, decides otherwise."""
+        zones = map(self.scenario.zones.get, self.roster.may_be(names))
+        for name in (*names, *(getattr(zone, "anchor", None) for zone in zones)):
+            if name in self.roster.drawn or name in self.roster.roles:
+                self._by_draw.setdefault(name, {})[tracker] = None
 
     def assign(self, role: str, assign: Callable[[], None]) -> None:
         """Assign a role or draw, and if that changes it, reset all that follows it: its change is not an edge."""

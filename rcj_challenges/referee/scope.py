@@ -158,14 +158,17 @@ class NameScope:
         zone = self.scenario.zones[name]
         if not isinstance(zone, CircleZone) or zone.anchor is None:
             return region_of(zone)
-        state, spot, index = self.state, zone.anchor, self.roster.index.get(zone.anchor)
+        state, anchor, among = self.state, zone.anchor, self.roster.may_be(zone.anchor)
+        indices = {one: self.roster.index[one] for one in among if one not in state.spots}
 
         def locate() -> Pose2 | None:
-            if index is None:
-                return (*state.spots[spot], 0.0)
-            return (state.seen or state.poses)[index] if state.present[index] else None
+            name = anchor if anchor in among else state.draws[anchor]
+            if name in state.spots:
+                return (*state.spots[name], 0.0)
+            index = indices.get(name)
+            return (state.seen or state.poses)[index] if index is not None and state.present[index] else None
 
-        circle = AnchoredCircle(zone.middle_m, zone.radius_m, locate, () if index is None else (index,))
+        circle = AnchoredCircle(zone.middle_m, zone.radius_m, locate, tuple(indices.values()))
         return Outside(circle) if zone.inverted else circle
 
     def gate(self, name: str) -> GateLine:
@@ -257,7 +260,7 @@ def _target(name: str, scope: NameScope) -> Target:
     scenario, index = scope.scenario, scope.roster.index.get(name, len(scope.roster.entities))
     if name in scenario.zones:
         zone = scope.zone(name)
-        return Target(zone.away_m, None, next(iter(zone.anchors), None))
+        return Target(zone.away_m, None, zone.anchors[0] if len(zone.anchors) == 1 else None)
     if name in scenario.gates:
         gate = scope.gate(name)
         return Target(gate.distance_m, None, gate.anchor)

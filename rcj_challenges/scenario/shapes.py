@@ -10,6 +10,7 @@ from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
 
 Box = tuple[float, float, float, float]
 """Left, bottom, right and top, in m."""
@@ -163,11 +164,12 @@ def centre_of(zone: Zone) -> tuple[float, float] | None:
 
 
 def at_start(zone: Zone, scenario: Scenario) -> Zone:
-    """Return a zone where it is at the start: a circle with an anchor is beside that."""
+    """Return a zone where it is at the start: a circle with an anchor is beside that, or the first that it may be."""
     if not isinstance(zone, CircleZone) or zone.anchor is None:
         return zone
-    spot = scenario.spots.get(zone.anchor)
-    pose = start_pose(scenario, zone.anchor) if spot is None else (spot.x_m, spot.y_m, 0.0)
+    anchor = Roster.of(scenario).may_be(zone.anchor)[0]
+    spot = scenario.spots.get(anchor)
+    pose = start_pose(scenario, anchor) if spot is None else (spot.x_m, spot.y_m, 0.0)
     return zone.model_copy(update={"centre_m": turned([zone.middle_m], pose)[0]})
 
 

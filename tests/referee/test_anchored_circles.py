@@ -2,11 +2,14 @@
 
 import pytest
 
+from rcj_challenges.expect.runner import run_test
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.shapes import at_start, zone_words
+from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.replay.things import visible_things
 from tests.referee.building import fail, on_fault
-from tests.scenario.writing import complaints, rule, scenario
+from tests.scenario.writing import complaints, loaded, rule, scenario
 
 GUARD = """
 zones:
@@ -104,6 +107,76 @@ def test_views_show_it_where_it_is(small):
     assert at_start(scenario.zones["ahead"], scenario).centre_m == pytest.approx((-0.4, -0.2), abs=1e-3)
 
 
+BY_CHANCE = """
+spots: {near: {x_m: 0.5, y_m: 0}, far: {x_m: -0.5, y_m: 0}}
+%s
+zones: {ring: {shape: circle, anchor: corner, radius_m: 0.2}}
+counters: {came: {}, went: {}}
+rules:
+  comes: {triggers: [{trigger: enters, entity: ball, zone: ring}], actions: [{action: count, counter: came}]}
+  goes: {triggers: [{trigger: leaves, entity: ball, zone: ring}], actions: [{action: count, counter: went}]}
+  again: {triggers: [{trigger: tips_over, entity: Y1}], actions: [%s]}
+  is_there: {triggers: [{trigger: time_reached, at_s: 4}], conditions: [{entity: ball, in: ring}], actions: [{action: emit, event: IN}]}
+expect:
+  the_circle_is_where_chance_says:
+    draws: {corner: [far, near]}
+    keyframes:
+      - {at_s: 0.5, place: {ball: [0.1, 0.3]}}
+      - {at_s: 1, move: {ball: [0.5, 0]}}
+      - {at_s: 1.5, tips: [Y1]}
+      - {at_s: 4.5, move: {ball: [0.5, 0]}}
+      - {at_s: 5, move: {ball: [0.1, 0.3]}}
+    lasts_s: 6
+    events: [{event: IN}]
+    counters: {came: 0, went: 1}
+  or_elsewhere:
+    draws: {corner: near}
+    keyframes: [{at_s: 0.5, place: {ball: [0.1, 0.3]}}, {at_s: 1, move: {ball: [0.5, 0]}}]
+    lasts_s: 6
+    events: [{event: IN}]
+    counters: {came: 1, went: 0}
+"""
+DRAW = BY_CHANCE % ("draws: {corner: {values: [near, far]}}", "{action: draw, draw: corner}")
+ROLE = BY_CHANCE % ("roles: {corner: {of: [near, far]}}", "{action: assign, role: corner}")
+
+
+@pytest.mark.parametrize("body", [DRAW, ROLE])
+@pytest.mark.parametrize("test", ["the_circle_is_where_chance_says", "or_elsewhere"])
+def test_circle_sits_at_the_spot_that_is_drawn_and_another_draw_is_no_entry(body, test):
+    assert run_test(loaded(body), test).differences == ()
+
+
+@pytest.mark.parametrize("body", [DRAW, ROLE])
+def test_views_of_a_circle_at_a_drawn_spot(body):
+    drawn = loaded(body)
+    assert zone_words(drawn.scenario.zones["ring"]) == "within 0.2 of corner"
+    assert "ring" not in [zone["name"] for zone in visible_things(drawn.scenario)["zones"]]
+    assert "within 0.2 of corner" in draw_scenario(drawn.scenario, drawn.roster)
+    assert not [one for one in lint(drawn) if "corner" in one.message]
+
+
+def test_role_as_anchor_moves_with_its_holder_and_without_one_contains_nothing():
+    body = """
+roles: {it: {of: [Y1, B1], initial: none}}
+zones: {ring: {shape: circle, anchor: it, radius_m: 0.2}}
+broadcast: {fields: {inside: {entity: ball, in: ring}}}
+counters: {came: {}}
+rules:
+  given: {triggers: [{trigger: tips_over, entity: Y2}], actions: [{action: assign, role: it, to: B1}]}
+  comes: {triggers: [{trigger: enters, entity: ball, zone: ring}], actions: [{action: count, counter: came}]}
+expect:
+  it_moves:
+    keyframes:
+      - {at_s: 0.5, place: {B1: [0.5, 0.3], ball: [0.5, 0], Y1: [-0.5, 0]}}
+      - {at_s: 1, move: {Y1: [0.5, -0.15]}, tips: [Y2]}
+      - {at_s: 3.5, move: {B1: [0.5, 0.3]}}
+      - {at_s: 4, move: {B1: [0.5, 0.15]}}
+    lasts_s: 5
+    counters: {came: 1}
+"""
+    assert run_test(loaded(body), "it_moves").differences == ()
+
+
 def test_replay_leaves_out_circles_around_spots_that_rules_set(small):
     moves = (
         "rules: {moves: {triggers: [{trigger: half_started}], actions: [{action: set_spot, spot: centre, to: ball}]}}"
@@ -124,6 +197,9 @@ SET_SPOT = "spots: {mark: {x_m: 0, y_m: 0}}\n" + rule(action="{action: set_spot,
         (SET_SPOT + ZONE % ("mark", ", drawn: true"), "conflicting-keys zones.z.drawn"),
         (SET_SPOT.replace("0}", "0, drawn: true}"), "conflicting-keys spots.mark.drawn"),
         (ZONE % ("yellow", ""), "wrong-kind zones.z.anchor"),
+        ("draws: {d: {values: [centre]}}\n" + ZONE % ("d", ", drawn: true"), "conflicting-keys zones.z.drawn"),
+        ("draws: {d: {values: [centre, pitch]}}\n" + ZONE % ("d", ""), "wrong-kind draws.d.values[1]"),
+        ("roles: {d: {of: [pitch]}}\n" + ZONE % ("d", ""), "wrong-kind zones.z.anchor"),
         (ZONE % ("Y1", "") + rule(action="{action: place, entity: ball, at: {uniform_in: z}}"),
          "unbounded-zone rules.r.actions[0] (place)"),
     ],

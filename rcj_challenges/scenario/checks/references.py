@@ -171,7 +171,7 @@ class _Walker:
     def _role(self, reference: Reference, name: str, path: Path) -> _Wrong | None:
         """Return the mistake of a role that stands for a name."""
         members = self.roster.roles[name]
-        if path[0] not in ("rules", "broadcast") and path[2:3] != ("while",):
+        if path[0] not in ("rules", "broadcast") and path[2:3] not in (("while",), ("anchor",)):
             return codes.UNBOUND_NAME, f"the role '{name}' can only be used in rules and broadcasts", ""
         if isinstance(reference, SectionRef):
             return self._receiver(name, members)

@@ -42,10 +42,10 @@ class CircleZone(_Zone):
     centre_m: Point | None = described(
         None, "centre, [x, y] in m; relative to the anchor if there is one, and then at it if omitted"
     )
-    anchor: Annotated[Name | None, Ref("entity or spot", MOVING | {"spot"})] = described(
+    anchor: Annotated[Name | None, Ref("entity or spot", MOVING | {"spot"}, drawn=True)] = described(
         None,
         "a spot at which the circle sits, or an entity with which it moves and turns: things enter it by its moving, "
-        "and while that is off the field nothing is in it; if omitted: the circle is fixed",
+        "and while that is off the field nothing is in it; or a draw or role of such; if omitted: the circle is fixed",
     )
     radius_m: Positive = described(..., "radius in m")
 

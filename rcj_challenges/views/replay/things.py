@@ -40,7 +40,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         "zones": [
             _zone(scenario, roster, name, zone)
             for name, zone in scenario.zones.items()
-            if getattr(zone, "anchor", None) not in spots_set_by_rules(scenario)
+            if getattr(zone, "anchor", None) not in {*spots_set_by_rules(scenario), *scenario.draws, *scenario.roles}
         ],
         # What moves has its posts, or its centre, in the frame of its anchor, whose place in the list `anchor` is.
         "gates": [
@@ -48,7 +48,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
             | {"name": name, "used": name in used, "anchor": roster.index.get(gate.anchor or "")}
             for name, gate in scenario.gates.items()
         ],
-        # Spots that rules set, and circles around them, are left out: their positions are not in the record.
+        # Spots that rules set, and circles around them or what is drawn, are left out: the record does not have them.
         "spots": [{"name": name, **_coloured(spot)} for name, spot in fixed_spots(scenario).items()],
         "seats": [
             {"name": name, "colour": _seat_colour(scenario, name), "letter": _initials(scenario).get(name, "")}
