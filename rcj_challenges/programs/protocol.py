@@ -155,12 +155,11 @@ class Codec:
         if len(body) == _BOTH_WHEELS.size and (request := self._of_both_wheels(body)) is not None:
             return request
         try:
-            _, _, advance, missed, _, motors, *others = _REQUEST.unpack_from(body)
+            _, _, advance, missed, _, motors, sampling, channels, frequencies, emissions = _REQUEST.unpack_from(body)
         except StructError:
             raise ProtocolError(f"a request of {counted(len(body), 'byte')}") from None
         if advance < 1:
             raise ProtocolError("a request to advance by 0 ticks")
-        sampling, channels, frequencies, emissions = others
         settings = max(motors, sampling, channels, frequencies)
         if settings > len(self._accepts) or emissions > MAX_EMISSIONS:
             found = f"{settings} settings and {emissions} packets"
@@ -171,16 +170,13 @@ class Codec:
         commands = self._commands(body[_REQUEST.size : at])
         if not (sampling or channels or frequencies):  # as nearly always
             return Request(advance, missed, commands, self._emissions(body, at, emissions))
-        tail = _Tail(body, at)
-        return Request(
-            advance,
-            missed,
-            commands,
-            sampling=tuple([self._setting(tail.take(_SAMPLING), "sampling", "a sensor") for _ in range(sampling)]),
-            channels=tuple([self._setting(tail.take(_CHANNEL), "channels", "a receiver") for _ in range(channels)]),
-            frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
-            emissions=self._emissions(body, tail.at, emissions),
-        )
+        periods, at = self._settings(body, at, sampling, _SAMPLING, "sampling", "a sensor")
+        tuned, at = self._settings(body, at, channels, _CHANNEL, "channels", "a receiver")
+        paces, at = self._settings(body, at, frequencies, _FREQUENCY, "frequencies", "a lidar")
+        for device, frequency_hz in paces:
+            if not math.isfinite(frequency_hz):
+                raise ProtocolError(f"device {device}: a frequency of {frequency_hz:g} Hz")
+        return Request(advance, missed, commands, self._emissions(body, at, emissions), periods, tuned, paces)
 
     def _of_both_wheels(self, body: bytes) -> Request | None:
         """Return a request that sets two motors; None if it is another one, or something is wrong with it."""
@@ -213,15 +209,17 @@ class Codec:
             return f"device {device}: a velocity of {velocity:g}"
         return f"device {device}: a position of {position:g}"
 
-    def _setting(self, setting: tuple[int, int], accepts: str, wanted: str) -> tuple[int, int]:
-        self._must_be(setting[0], accepts, wanted)
-        return setting
-
-    def _frequency(self, device: int, frequency_hz: float) -> tuple[int, float]:
-        self._must_be(device, "frequencies", "a lidar")
-        if not math.isfinite(frequency_hz):
-            raise ProtocolError(f"device {device}: a frequency of {frequency_hz:g} Hz")
-        return device, frequency_hz
+    def _settings(
+        self, body: bytes, at: int, count: int, form: Struct, accepts: str, wanted: str
+    ) -> tuple[tuple[Any, ...], int]:
+        """Return so many settings of a kind, each of a device and a number, and where they end."""
+        end = at + count * form.size
+        if end > len(body):
+            raise ProtocolError("a request that ends too early")
+        settings = tuple(form.iter_unpack(body[at:end]))
+        for device, _ in settings:
+            self._must_be(device, accepts, wanted)
+        return settings, end
 
     def _emissions(self, body: bytes, at: int, count: int) -> tuple[tuple[int, int, bytes], ...]:
         sent = []
@@ -249,22 +247,6 @@ class Codec:
 def _packed(packet: Packet) -> bytes:
     device, data, strength, (ahead, left, up) = packet
     return _PACKET.pack(device, len(data), strength, ahead, left, up) + data
-
-
-class _Tail:
-    """The part of a message of variable size, read piece by piece; ``at`` is the size of what has been taken."""
-
-    def __init__(self, body: bytes, at: int) -> None:
-        self._body = body
-        self.at = at
-
-    def take(self, form: Struct) -> tuple[Any, ...]:
-        try:
-            fields = form.unpack_from(self._body, self.at)
-        except StructError:
-            raise ProtocolError("a request that ends too early") from None
-        self.at += form.size
-        return fields
 
 
 def _other_than_request(body: bytes, tick: int) -> Ended:

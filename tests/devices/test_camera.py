@@ -237,7 +237,7 @@ def test_recognition_is_asked_for_only_from_cameras_that_have_it() -> None:
         bench = camera_bench({"recognition": has_it})
         codec = Codec(bench.devices.specs[bench.roster.index["Y1"]], 1000)
         number = bench.device("Y1", "front camera") + RECOGNITION
-        asked = request_frame(0, 1, 0, 0, (), ((number, 1),), (), (), ())[4:]
+        asked = request_frame(0, 1, 0, 0, (), sampling=((number, 1),))[4:]
         if has_it:
             assert codec.decode(asked, 0).sampling == ((number, 1),)
         else:

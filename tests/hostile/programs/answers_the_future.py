@@ -11,5 +11,5 @@ from controller import _connection, _wire
 
 arena.drive(10)
 wire = _connection.connected()._wire
-wire.send(_wire.motors_frame(40, 1, 0, 0, []))
+wire.send(_wire.request_frame(40, 1, 0, 0, []))
 arena.play_on()

@@ -12,6 +12,6 @@ from controller import _connection, _wire
 arena.drive(10)
 wire = _connection.connected()._wire
 stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
-wire.send(_wire.motors_frame(10, 1, 0, 0, stop) + _wire.motors_frame(10, 1, 0, 0, [(0, 10.0, float("inf"))]))
+wire.send(_wire.request_frame(10, 1, 0, 0, stop) + _wire.request_frame(10, 1, 0, 0, [(0, 10.0, float("inf"))]))
 arena.robot.step(32)
 arena.play_on()

@@ -14,7 +14,7 @@ arena.drive(10)
 wire = _connection.connected()._wire
 stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
 for tick in range(10, 50):
-    wire.send(_wire.motors_frame(tick, 1, 0, 0, stop))
+    wire.send(_wire.request_frame(tick, 1, 0, 0, stop))
 while _connection.connected().tick < 50:
     frame = wire.receive()
     _connection.connected().tick = struct.unpack_from("<IBI", frame)[2]

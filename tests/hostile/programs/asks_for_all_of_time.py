@@ -14,5 +14,5 @@ arena.drive(10)
 wire = _connection.connected()._wire
 stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
 print("asked", flush=True)
-wire.exchange(_wire.motors_frame(10, 1, 0, 0, stop))
-wire.exchange(_wire.motors_frame(11, 2**32 - 1, 2**32 - 1, 2**64 - 1, stop))
+wire.exchange(_wire.request_frame(10, 1, 0, 0, stop))
+wire.exchange(_wire.request_frame(11, 2**32 - 1, 2**32 - 1, 2**64 - 1, stop))

@@ -11,5 +11,5 @@ from controller import _connection, _wire
 
 arena.drive(10)
 wire = _connection.connected()._wire
-wire.send(_wire.motors_frame(10, 1, 0, 0, [(65535, 10.0, float("inf"))]))
+wire.send(_wire.request_frame(10, 1, 0, 0, [(65535, 10.0, float("inf"))]))
 arena.play_on()

@@ -11,6 +11,6 @@ from controller import _connection, _wire
 
 arena.drive(10)
 wire = _connection.connected()._wire
-frame = _wire.motors_frame(10, 1, 0, 0, [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]) * 1000
+frame = _wire.request_frame(10, 1, 0, 0, [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]) * 1000
 while True:
     wire.send(frame)

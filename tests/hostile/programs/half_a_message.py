@@ -12,6 +12,6 @@ from controller import _connection, _wire
 
 arena.drive(10)
 wire = _connection.connected()._wire
-os.write(wire._write_fd, _wire.motors_frame(10, 1, 0, 0, [])[:11])
+os.write(wire._write_fd, _wire.request_frame(10, 1, 0, 0, [])[:11])
 while True:
     pass

@@ -21,7 +21,7 @@ except BlockingIOError:
     print("full")
 stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
 for tick in range(10, 200):
-    wire.send(_wire.motors_frame(tick, 1, 0, 0, stop))
+    wire.send(_wire.request_frame(tick, 1, 0, 0, stop))
 print("deaf", flush=True)
 while True:
     pass

@@ -12,5 +12,5 @@ from controller import _connection, _wire
 
 arena.drive(10)
 wire = _connection.connected()._wire
-wire.send(_wire.motors_frame(10, 1, 0, 0, [(0, 0.0, -float("inf")), (1, 0.0, float("nan"))]))
+wire.send(_wire.request_frame(10, 1, 0, 0, [(0, 0.0, -float("inf")), (1, 0.0, float("nan"))]))
 arena.play_on()

@@ -16,7 +16,6 @@ from ._wire import (
     Emission,
     Wire,
     leave,
-    motors_frame,
     request_frame,
     with_missed_ticks,
     with_notes,
@@ -241,7 +240,7 @@ class Connection:
             request = self._with_others(self.tick, self._step_ticks, missed, printed)
         else:
             motors, self.motors = self.motors, {}
-            request = motors_frame(self.tick, self._step_ticks, missed, printed, motors.values())
+            request = request_frame(self.tick, self._step_ticks, missed, printed, motors.values())
         if self._notes:
             request = self.take_notes_with(request)
         clock.step_began()
@@ -365,13 +364,12 @@ class Connection:
                 self._ramps.setdefault(device, approach)
         motors, self.motors = self.motors, {}
         emissions, self._emissions, self._emitted_bytes = self._emissions, [], 0
-        if not (self._sampling or self._channels or self._frequencies):  # many teams talk on every tick
-            return motors_frame(tick, advance_ticks, missed_ticks, printed, motors.values(), emissions)
         sampling, self._sampling = self._sampling, {}
         channels, self._channels = self._channels, {}
         frequencies, self._frequencies = self._frequencies, {}
         self._new_periods = {one: period for one, period in sampling.items() if one in self._followed}
-        settings = sampling.items(), channels.items(), frequencies.items()
+        # Lists, made at once: a thread that has just been about to set something may still do that.
+        settings = list(sampling.items()), list(channels.items()), list(frequencies.items())
         return request_frame(tick, advance_ticks, missed_ticks, printed, motors.values(), *settings, emissions)
 
     def _set_periods(self, tick: int) -> None:

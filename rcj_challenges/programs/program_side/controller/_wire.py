@@ -8,7 +8,7 @@ from struct import Struct, error
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Collection, Iterable
     from typing import NoReturn
 
     Motors = Iterable[tuple[int, float, float]]
@@ -25,7 +25,6 @@ _LENGTH = Struct("<I")
 _REQUEST_HEAD = "<IBIIIQHHHHI"  # length, type, tick, advance, missed, printed, five counts; then the settings
 _MISSED_AT, _MISSED = 13, Struct("<I")
 _MOTOR = "Hdd"
-_MOTOR_FORM = Struct("<" + _MOTOR)
 _SAMPLING = Struct("<HI")
 _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
@@ -33,9 +32,8 @@ _EMISSION = Struct("<HiI")
 _FAULT = Struct("<IBBI")
 _NOTES = Struct("<IBI")
 
-# Common requests as a whole: no motor set, one, two … and nothing else.
 _FORMS = [Struct(_REQUEST_HEAD + count * _MOTOR) for count in range(5)]
-_WITH_MOTORS = [(form, form.size - 4) for form in _FORMS]
+"""Of requests that set no motor, one, two …, without what else they ask for."""
 
 _USUAL_READ = 4096
 _LARGE_READ = 1 << 16
@@ -113,52 +111,32 @@ Emission = tuple[int, int, bytes]
 """Index of the emitter, channel, payload."""
 
 
-def motors_frame(
-    tick: int,
-    advance_ticks: int,
-    missed_ticks: int,
-    printed: int,
-    motors: Motors,
-    emissions: Sequence[Emission] = (),
-) -> bytes:
-    """Return a request that sets motors, sends packets, and nothing else. ``tick`` is the answered observation's."""
-    numbers: list[float] = []
-    for setting in motors:
-        numbers += setting
-    count = len(numbers) // 3
-    if count >= len(_WITH_MOTORS):
-        return request_frame(tick, advance_ticks, missed_ticks, printed, motors, (), (), (), emissions)
-    form, length = _WITH_MOTORS[count]
-    if not emissions:
-        return form.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
-    tail = b"".join([_EMISSION.pack(device, channel, len(data)) + data for device, channel, data in emissions])
-    counts = count, 0, 0, 0, len(emissions)
-    return form.pack(length + len(tail), REQUEST, tick, advance_ticks, missed_ticks, printed, *counts, *numbers) + tail
-
-
 def request_frame(
     tick: int,
     advance_ticks: int,
     missed_ticks: int,
     printed: int,
     motors: Motors,
-    sampling: Iterable[tuple[int, int]],
-    channels: Iterable[tuple[int, int]],
-    frequencies: Iterable[tuple[int, float]],
-    emissions: Iterable[Emission],
+    sampling: Collection[tuple[int, int]] = (),
+    channels: Collection[tuple[int, int]] = (),
+    frequencies: Collection[tuple[int, float]] = (),
+    emissions: Collection[Emission] = (),
 ) -> bytes:
-    """Return a request of any kind."""
-    settings = (
-        [_MOTOR_FORM.pack(*entry) for entry in motors],
-        [_SAMPLING.pack(*entry) for entry in sampling],
-        [_CHANNEL.pack(*entry) for entry in channels],
-        [_FREQUENCY.pack(*entry) for entry in frequencies],
-        [_EMISSION.pack(device, channel, len(data)) + data for device, channel, data in emissions],
-    )
-    tail = b"".join([entry for kind in settings for entry in kind])
-    head, length = _WITH_MOTORS[0]
-    counts = map(len, settings)
-    return head.pack(length + len(tail), REQUEST, tick, advance_ticks, missed_ticks, printed, *counts) + tail
+    """Return a request. ``tick`` is the answered observation's."""
+    numbers: list[float] = []
+    for setting in motors:
+        numbers += setting
+    count = len(numbers) // 3
+    form = _FORMS[count] if count < len(_FORMS) else Struct(_REQUEST_HEAD + count * _MOTOR)
+    length = form.size - 4
+    if not (sampling or channels or frequencies or emissions):  # as nearly always
+        return form.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
+    tail = b"".join([_EMISSION.pack(device, channel, len(data)) + data for device, channel, data in emissions])
+    if sampling or channels or frequencies:  # seldom
+        settings = [_SAMPLING.pack(*one) for one in sampling] + [_CHANNEL.pack(*one) for one in channels]
+        tail = b"".join(settings + [_FREQUENCY.pack(*one) for one in frequencies]) + tail
+    counts = count, len(sampling), len(channels), len(frequencies), len(emissions)
+    return form.pack(length + len(tail), REQUEST, tick, advance_ticks, missed_ticks, printed, *counts, *numbers) + tail
 
 
 def with_missed_ticks(request: bytes, missed_ticks: int) -> bytes:
