@@ -248,7 +248,7 @@ def test_recognition_is_asked_for_only_from_cameras_that_have_it() -> None:
 def test_a_program_asks_for_recognition_beside_pictures() -> None:
     asked: list[tuple[int, int]] = []
     data = SEEN.pack(7, 1, 255, 0, 51, 0.3, 0.1, -0.04, 0.0, 0.042, 0.042, 10, 20, 4, 5)
-    queue = SimpleNamespace(packets=[(data, 0.0, 0.0, 0.0, 0.0)])
+    queue = [(data, 0.0, 0.0, 0.0, 0.0)]
     camera = Camera.__new__(Camera)
     camera._rcj_index, camera._rcj_facts, camera._rcj_name = 4, {"recognition": True}, "eye"
     camera._rcj_recognition_ms = 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
+from collections import deque
 
 from fake_match import FakeMatch, packet
 
@@ -50,20 +51,20 @@ print(most, team.getQueueLength(), team.getBytes())
 
 
 def test_a_queue_is_trimmed_while_another_thread_reads_it() -> None:
-    queue, ended, interval_s = _connection.PacketQueue(), threading.Event(), sys.getswitchinterval()
+    queue, ended, interval_s = deque(), threading.Event(), sys.getswitchinterval()
 
     def read() -> None:
         while not ended.is_set():
-            if queue.packets:
-                queue.packets.popleft()
+            if queue:
+                queue.popleft()
 
     reader = threading.Thread(target=read)
     sys.setswitchinterval(1e-5)
     try:
         reader.start()
         for _ in range(200):
-            queue.packets.extend([(b"1", 1.0, 1.0, 0.0, 0.0)] * 3_000)
-            queue.trim()
+            queue.extend([(b"1", 1.0, 1.0, 0.0, 0.0)] * 3_000)
+            _connection.trim(queue)
     finally:
         sys.setswitchinterval(interval_s)
         ended.set()

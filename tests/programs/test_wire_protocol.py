@@ -143,7 +143,7 @@ def test_a_program_receives_exactly_what_was_observed(observation: Observation) 
         observation.values,
     )
     for device, queue in connection.queues.items():
-        assert list(queue.packets) == [
+        assert list(queue) == [
             (p.data, p.strength, *p.direction) for p in observation.packets if p.device == device
         ]
 

@@ -60,21 +60,12 @@ RECOGNITION = 0x8000
 """Added to a camera's index: the number of its recognition."""
 
 
-class PacketQueue:
-    """The unread packets of one receiver, oldest first; or the latest picture of a camera, or what it recognizes."""
-
-    __slots__ = ("packets",)
-
-    def __init__(self, most: int | None = None) -> None:
-        self.packets: deque[Packet] = deque((), most)
-
-    def trim(self) -> None:
-        """Forget the oldest packets beyond the bound; the newest always stays."""
-        packets = self.packets
-        # Of a copy, which is made at once: meanwhile another thread may take packets out.
-        too_many_bytes = sum([len(packet[0]) + _PACKET_OVERHEAD for packet in packets.copy()]) - QUEUE_BYTES
-        while too_many_bytes > 0 and len(packets) > 1:
-            too_many_bytes -= len(packets.popleft()[0]) + _PACKET_OVERHEAD
+def trim(packets: deque[Packet]) -> None:
+    """Forget the oldest packets of a queue beyond the bound; the newest always stays."""
+    # Of a copy, which is made at once: meanwhile another thread may take packets out.
+    too_many_bytes = sum([len(packet[0]) + _PACKET_OVERHEAD for packet in packets.copy()]) - QUEUE_BYTES
+    while too_many_bytes > 0 and len(packets) > 1:
+        too_many_bytes -= len(packets.popleft()[0]) + _PACKET_OVERHEAD
 
 
 class Samples:
@@ -109,7 +100,8 @@ class Connection:
             lidar stand packed in one piece: they are many, and seldom looked at.
         place_of: by a device's slot, where in ``numbers`` its own begin.
         previous: the observation before, of ``previous_tick``.
-        queues: unread packets by the index of the receiver or camera, and by that of a camera's recognition.
+        queues: by the index of a receiver its unread packets, oldest first; by that of a camera and of its recognition
+            the latest picture, and what it recognizes.
         devices: all devices of the robot by name, once it is made.
         motors: settings for the next request, by the motor's index: index, velocity in rad/s, position in rad.
     """
@@ -124,11 +116,11 @@ class Connection:
         nothing_yet = _nothing_yet(self.spec["devices"], self.spec["values"])
         self.numbers: tuple[Any, ...] = self._form.unpack(bytes(self._form.size - len(nothing_yet)) + nothing_yet)
         self.previous, self.previous_tick = self.numbers, 0
-        self.queues = {
-            device["index"]: PacketQueue() for device in self.spec["devices"] if device["kind"] == "receiver"
+        self.queues: dict[int, deque[Packet]] = {
+            device["index"]: deque() for device in self.spec["devices"] if device["kind"] == "receiver"
         }
         cameras = [device["index"] for device in self.spec["devices"] if device["kind"] == "camera"]
-        self.queues |= {index + extra: PacketQueue(1) for index in cameras for extra in (0, RECOGNITION)}
+        self.queues |= {index + extra: deque((), 1) for index in cameras for extra in (0, RECOGNITION)}
         self.over = False
         self.robot_made = False
         self.devices: dict[str, Any] = {}
@@ -148,7 +140,7 @@ class Connection:
         self._frequencies: dict[int, float] = {}
         self._emissions: list[Emission] = []
         self._emitted_bytes = 0
-        self._appends = {device: queue.packets.append for device, queue in self.queues.items()}
+        self._appends = {device: queue.append for device, queue in self.queues.items()}
         self._untrimmed_bytes = 0
         self._step_ms: float | None = None
         self._step_ticks = 0
@@ -389,7 +381,7 @@ class Connection:
         if self._untrimmed_bytes > _TRIMMED_EVERY_BYTES:
             self._untrimmed_bytes = 0
             for queue in self.queues.values():
-                queue.trim()
+                trim(queue)
 
 
 def _layout(devices: list[dict[str, Any]]) -> tuple[str, dict[int, int]]:

@@ -83,7 +83,7 @@ class Camera(Sensor):
 
     def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
         super()._rcj_set_up(connection, spec)
-        self._rcj_pictures = connection.queues[self._rcj_index].packets
+        self._rcj_pictures = connection.queues[self._rcj_index]
         self._rcj_width, self._rcj_height = int(self._rcj_facts["width"]), int(self._rcj_facts["height"])
         self._rcj_packet: Any = None
         self._rcj_image = b""
@@ -263,7 +263,7 @@ class Camera(Sensor):
         return [CameraRecognitionObject(one) for one in _SEEN.iter_unpack(found[-1][0])] if found else []
 
     def _rcj_found(self) -> Any:
-        return self._rcj_connection.queues[self._rcj_index + RECOGNITION].packets
+        return self._rcj_connection.queues[self._rcj_index + RECOGNITION]
 
     def hasRecognitionSegmentation(self) -> bool:
         """Return False: there are no segmented pictures."""

@@ -44,7 +44,7 @@ class Receiver(Sensor):
 
     def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
         super()._rcj_set_up(connection, spec)
-        self._rcj_queue: Any = _NotListening(self)
+        self._rcj_packets: deque[Packet] = _NotListening(self)
         self._rcj_channel = int(self._rcj_facts.get("channel", -1))
         self._rcj_returns_text = connection.spec["getdata_returns"] == "text"
         self._rcj_silent_ticks = int(self._rcj_facts.get("silent_ticks", -1))
@@ -52,7 +52,7 @@ class Receiver(Sensor):
     def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
         """Listen, every ``samplingPeriod`` ms (``sampling_period`` in R2023a)."""
         super().enable(samplingPeriod, sampling_period=sampling_period)
-        self._rcj_queue = self._rcj_connection.queues[self._rcj_index]
+        self._rcj_packets = self._rcj_connection.queues[self._rcj_index]
 
     def getQueueLength(self) -> int:
         """The number of packets that wait.
@@ -60,11 +60,11 @@ class Receiver(Sensor):
         Example:
             ``while receiver.getQueueLength(): … receiver.nextPacket()``
         """
-        return len(self._rcj_queue.packets)
+        return len(self._rcj_packets)
 
     def nextPacket(self) -> None:
         """Forget the first packet; without one nothing happens."""
-        if packets := self._rcj_queue.packets:
+        if packets := self._rcj_packets:
             packets.popleft()
 
     def getData(self) -> Any:
@@ -125,7 +125,7 @@ class Receiver(Sensor):
 
     def getDataSize(self) -> int:
         """Return the first packet's size in bytes; -1 without one."""
-        return len(self._rcj_queue.packets[0][0]) if self._rcj_queue.packets else -1
+        return len(self._rcj_packets[0][0]) if self._rcj_packets else -1
 
     def getSignalStrength(self) -> float:
         """Return 1 / r² of the first packet, r the distance to its emitter in m; NaN without one.
@@ -133,7 +133,7 @@ class Receiver(Sensor):
         Example:
             ``distance_m = receiver.getSignalStrength() ** -0.5``
         """
-        return self._rcj_queue.packets[0][1] if self._rcj_queue.packets else math.nan
+        return self._rcj_packets[0][1] if self._rcj_packets else math.nan
 
     def getEmitterDirection(self) -> list[float]:
         """Return the unit vector to the emitter of the first packet, in the robot's frame: x forward, y left, z up.
@@ -156,7 +156,7 @@ class Receiver(Sensor):
         self._rcj_connection.tune(self._rcj_index, self._rcj_channel)
 
     def _rcj_first(self, method: str) -> Packet:
-        packets: deque[Packet] = self._rcj_queue.packets
+        packets = self._rcj_packets
         if not packets and self._rcj_connection.tick <= self._rcj_silent_ticks:
             self._rcj_await_the_first(method)
         if not packets:
@@ -169,7 +169,7 @@ class Receiver(Sensor):
         Programs that read without checking the queue were usual in 2021, and worked.
         """
         connection = self._rcj_connection
-        if type(self._rcj_queue) is _NotListening or connection.is_within_step():
+        if type(self._rcj_packets) is _NotListening or connection.is_within_step():
             return
         # Up to the second step: robots of 2021 step two ticks, and that often their receivers deliver.
         until = self._rcj_silent_ticks + min(self._rcj_silent_ticks, 2)
@@ -183,7 +183,7 @@ class Receiver(Sensor):
     def _rcj_emptiness(self, method: str) -> RuntimeError:
         """Return why there is no packet, after printing it."""
         reason = "with an empty queue; ask getQueueLength() first."
-        if type(self._rcj_queue) is _NotListening:
+        if type(self._rcj_packets) is _NotListening:
             reason = "but the receiver is not enabled: call enable(32) before the first step."
         text = f"{self._rcj_name!r}: {method} was called {reason}"
         complain(f"Error: {text}", "correct this call")
@@ -212,17 +212,17 @@ class Receiver(Sensor):
     channel = property(getChannel, setChannel)
 
 
-class _NotListening:
-    """Stands for the queue of a receiver until it is enabled: empty; the first access prints a hint."""
+class _NotListening(deque[Packet]):
+    """Stands for the queue of a receiver until it is enabled: empty; the first look at it prints a hint."""
 
     def __init__(self, receiver: Receiver) -> None:
+        super().__init__()
         self._receiver = receiver
 
-    @property
-    def packets(self) -> deque[Packet]:
+    def __len__(self) -> int:
         if not self._receiver._rcj_warned:  # noqa: SLF001 - a part of it
             self._receiver._rcj_warn()  # noqa: SLF001
-        return deque()
+        return 0
 
 
 class Emitter(Device):
