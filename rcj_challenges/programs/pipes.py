@@ -52,9 +52,6 @@ class Channel(Protocol):
             FrameTooLongError: it would be too long.
         """
 
-    def receive_now(self) -> bytes | None:
-        """Return the next frame if it is here already, as `receive` does; else None. Cheaper than `receive`."""
-
     def receive_soon(self) -> bytes | None:
         """Return the next frame if it is here, or comes at once, as this side's frames do; else None.
 
@@ -127,11 +124,11 @@ class PolledPipes:
 
     def receive(self, timeout_s: float) -> bytes | None:
         """See `Channel`."""
-        body = self.receive_soon() if timeout_s > 0 else self.receive_now()
+        body = self.receive_soon() if timeout_s > 0 else self._receive_now()
         return self._wait(timeout_s) if body is None else body
 
-    def receive_now(self) -> bytes | None:
-        """See `Channel`."""
+    def _receive_now(self) -> bytes | None:
+        """Return the next frame if it is here already."""
         buffer = self._buffer
         if buffer.held:
             body = buffer.next()
@@ -153,7 +150,7 @@ class PolledPipes:
 
     def receive_soon(self) -> bytes | None:
         """See `Channel`."""
-        body = self.receive_now()
+        body = self._receive_now()
         if body is not None or self._unsent:
             return body
         if self._polls_to_skip:
@@ -162,7 +159,7 @@ class PolledPipes:
         give_up = time.perf_counter() + MOMENT_S
         while body is None and time.perf_counter() < give_up:
             _let_others_run()
-            body = self.receive_now()
+            body = self._receive_now()
         if body is None:
             self._polls_to_skip = _SKIPPED_POLLS
         return body
@@ -182,7 +179,7 @@ class PolledPipes:
             ready = self._poll.poll(0 if self._broken else wait_s * 1000)
             for fd, _ in ready:
                 if fd == self._read_fd:
-                    body = self.receive_now()
+                    body = self._receive_now()
                     if body is not None:
                         if time.perf_counter() - began < MOMENT_S:
                             self._polls_to_skip = 0
@@ -260,10 +257,6 @@ class ThreadedPipes:
             self._end = arrived
             raise arrived
         return arrived
-
-    def receive_now(self) -> bytes | None:
-        """See `Channel`."""
-        return self.receive(0.0)
 
     def receive_soon(self) -> bytes | None:
         """See `Channel`. Only a thread can report a frame, so this does not wait."""

@@ -33,9 +33,7 @@ class TimedChannel:
         """Return the answer if it is here, or arrives at once; else None. See `Channel` for the errors."""
         if self._arrived is not None:
             return self._taken()
-        body = self.channel.receive_now()
-        if body is None:
-            body = self.channel.receive_soon()
+        body = self.channel.receive_soon()
         if body is not None:
             self.is_awaited = False
             self.budget.quick_answers += 1

@@ -83,14 +83,14 @@ def test_receive_returns_none_when_the_time_is_over(line: Line, timeout_s: float
 
 
 def test_what_is_here_already_is_received_without_waiting(line: Line) -> None:
-    assert line.channel.receive_now() is None
+    assert line.channel.receive(0.0) is None
     line.says(framed(b"one") + framed(b"two")[:5])
     assert line.channel.receive(5) == b"one"  # the threaded one may need a moment
-    assert line.channel.receive_now() is None
+    assert line.channel.receive(0.0) is None
     line.says(framed(b"two")[5:] + framed(b"three"))
     assert line.channel.receive(5) == b"two"
     until = time.perf_counter() + 60
-    while (third := line.channel.receive_now()) is None and time.perf_counter() < until:
+    while (third := line.channel.receive(0.0)) is None and time.perf_counter() < until:
         time.sleep(0.001)
     assert third == b"three"
     line.hangs_up()
@@ -124,9 +124,9 @@ class TestOneThatAnswersAtOnce:
 
     def test_the_rest_of_its_frame_is_looked_for_too(self, line: Line) -> None:
         line.says(framed(b"whole")[:6])
-        assert line.channel.receive_now() is None
+        assert line.channel.receive(0.0) is None
         line.says(framed(b"whole")[6:])
-        assert line.channel.receive_now() == b"whole"
+        assert line.channel.receive(0.0) == b"whole"
 
     def test_one_that_takes_longer_is_slept_for_until_it_answers_at_once_again(
         self, line: Line, looks: list[int], monkeypatch: pytest.MonkeyPatch
@@ -169,7 +169,7 @@ class TestOneThatAnswersAtOnce:
 def nothing_until_it_ends(channel: Channel) -> None:
     until = time.perf_counter() + 60
     while time.perf_counter() < until:
-        assert channel.receive_now() is None
+        assert channel.receive(0.0) is None
 
 
 def test_half_a_frame_is_kept_until_the_rest_comes(line: Line) -> None:
