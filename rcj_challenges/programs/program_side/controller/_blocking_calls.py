@@ -57,17 +57,14 @@ class BlockingCalls:
         module.Condition.wait = self._patient(module.Condition.wait)
         real_join = module.Thread.join
 
-        def ends(thread: Any, timeout: float) -> bool:
+        def ends(thread: Any, timeout: float | None) -> bool:
             real_join(thread, timeout)
             return not thread.is_alive()
 
         patient = self._patient(ends)
 
         def join(self: Any, timeout: float | None = None) -> None:
-            if timeout is None or timeout <= 0:
-                real_join(self, timeout)
-            else:
-                patient(self, timeout)
+            patient(self, timeout)
 
         module.Thread.join = join
 
@@ -78,7 +75,7 @@ class BlockingCalls:
             module.SimpleQueue = self._patient_queue(real, module.Empty)
 
     def _patient_queue(self, real: Any, empty: type[Exception]) -> type:
-        def first(queue: Any, timeout: float) -> tuple[Any] | None:
+        def first(queue: Any, timeout: float | None) -> tuple[Any] | None:
             try:
                 return (real.get(queue, True, timeout),)
             except empty:
@@ -87,7 +84,7 @@ class BlockingCalls:
         patient = self._patient(first)
 
         def get(self: Any, block: bool = True, timeout: float | None = None) -> Any:
-            if not block or timeout is None or timeout <= 0:
+            if not block:
                 return real.get(self, block, timeout)
             found = patient(self, timeout)
             if found is None:
@@ -99,15 +96,13 @@ class BlockingCalls:
     def _of_select(self, module: Any) -> None:
         real = module.select
 
-        def ready(files: Any, timeout: float) -> Any:
+        def ready(files: Any, timeout: float | None) -> Any:
             found = real(*files, timeout)
             return found if any(found) else None
 
         patient = self._patient(ready)
 
         def select(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /) -> Any:
-            if timeout is None or timeout <= 0:
-                return real(rlist, wlist, xlist, timeout)
             return patient((rlist, wlist, xlist), timeout) or ([], [], [])
 
         module.select = Unbound(select, "select")
