@@ -19,7 +19,7 @@ from rcj_challenges.checker.similar_names import (
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.submissions.archive import Files
 from rcj_challenges.submissions.problems import safe_text
-from rcj_challenges.submissions.team import alternatives
+from rcj_challenges.submissions.team import wanted_programs
 
 HIDDEN_ENDING = ".py.txt"
 """What an editor of Windows makes of ``.py``, and shows as ``.py``."""
@@ -87,15 +87,14 @@ def plan_moves(files: Files, seats: Sequence[Entrant]) -> Plan | None:
 def entries_of(files: Mapping[PurePosixPath, bytes], seats: Iterable[Entrant]) -> dict[str, PurePosixPath | None]:
     """Return the program of each robot: the first entry point that exists."""
     return {
-        robot: next((PurePosixPath(entry) for entry in alternatives(wanted) if PurePosixPath(entry) in files), None)
-        for seat in seats
-        for robot, wanted in seat.robots.items()
+        robot: next((path for path in map(PurePosixPath, wanted) if path in files), None)
+        for robot, wanted in wanted_programs(seats).items()
     }
 
 
 def all_entries(seats: Iterable[Entrant]) -> set[PurePosixPath]:
     """Return all paths at which a scenario looks for programs."""
-    return {PurePosixPath(entry) for seat in seats for wanted in seat.robots.values() for entry in alternatives(wanted)}
+    return {PurePosixPath(entry) for wanted in wanted_programs(seats).values() for entry in wanted}
 
 
 def _roots(files: Files) -> Iterator[list[PurePosixPath]]:
@@ -113,7 +112,7 @@ def _plan_from(folder: PurePosixPath, files: Files, seats: Sequence[Entrant]) ->
     if raised is None or _is_complete(raised, seats):
         return Plan(up, raised) if raised is not None else None
     chosen = entries_of(raised, seats)
-    missing = [alternatives(wanted) for seat in seats for robot, wanted in seat.robots.items() if chosen[robot] is None]
+    missing = [wanted for robot, wanted in wanted_programs(seats).items() if chosen[robot] is None]
     for choice in range(max(map(len, missing), default=0)):
         wanted = dict.fromkeys(PurePosixPath(entries[choice]) for entries in missing if choice < len(entries))
         is_only_one = len(wanted) == 1 and len(missing) == len(chosen)

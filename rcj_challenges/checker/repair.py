@@ -25,7 +25,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.archive import Files
 from rcj_challenges.submissions.paths import clean, folded
 from rcj_challenges.submissions.problems import MAX_OF_A_KIND, safe_text
-from rcj_challenges.submissions.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
+from rcj_challenges.submissions.team import LOGO_FILE, Opening, called_after, opening_of, wanted_programs
 from rcj_challenges.submissions.team_name import NAME_FILE, find_team_name
 
 _NAME_PATH, _LOGO_PATH = PurePosixPath(NAME_FILE), PurePosixPath(LOGO_FILE)
@@ -138,7 +138,7 @@ def _corrected(found: Inspection, scenario: Scenario, done: list[str]) -> Files:
 def _as_folder(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Files:
     """Return a single program as the program of each robot."""
     content = next(iter(opening.files.values()))
-    wanted = dict.fromkeys(alternatives(entry)[0] for seat in seats for entry in seat.robots.values())
+    wanted = dict.fromkeys(entries[0] for entries in wanted_programs(seats).values())
     done.append(f"packed the program as {', '.join(wanted)}")
     return {PurePosixPath(entry): content for entry in sorted(wanted)}
 

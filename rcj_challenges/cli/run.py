@@ -187,7 +187,7 @@ def _team_names(loaded: Loaded, given: list[str]) -> dict[str, str]:
     Raises:
         RcjError: one names no entrant, or has nothing that can be shown.
     """
-    from rcj_challenges.submissions.team import safe_name
+    from rcj_challenges.submissions.team_name import safe_name
 
     assigned = assignments(given, loaded.scenario.entrants, "--team-name")
     names = {seat: safe_name(name) for seat, name in assigned.items()}

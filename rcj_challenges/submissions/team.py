@@ -14,28 +14,15 @@ from rcj_challenges.core.errors import format_error, is_of_the_host
 from rcj_challenges.core.similarity import MAX_COMPARED, nearest_name
 from rcj_challenges.core.temporary_folder import temporary_folder_error
 from rcj_challenges.scenario.designs import ROBOT_FILE
-from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
+from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.submissions.archive import Contents, Files, TeamError, read_contents, refusal
 from rcj_challenges.submissions.codes import LAYOUT_MISSING
 from rcj_challenges.submissions.problems import MAX_PATH_SHOWN, safe_text
-from rcj_challenges.submissions.team_name import (
-    MAX_NAME_CHARACTERS,
-    NAME_FILE,
-    TeamName,
-    find_team_name,
-    may_be_name_file,
-    safe_name,
-)
+from rcj_challenges.submissions.team_name import NAME_FILE, TeamName, find_team_name, may_be_name_file
 
-__all__ = [
-    "MAX_NAME_CHARACTERS", "Opening", "SuperTeam", "Team", "TeamError", "alternatives", "look_into", "open_team",
-    "safe_name",
-]  # fmt: skip
+__all__ = ["Opening", "SuperTeam", "Team", "TeamError", "look_into", "open_team", "wanted_programs"]
 
 LOGO_FILE = "logo.png"
-
-_MISSING = LAYOUT_MISSING
-"""The code of a team that lacks a program, as of the finding of ``check``."""
 
 _LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
 _PICTURE_ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp", ""})
@@ -198,7 +185,7 @@ def open_team(path: str | Path, *seats: Entrant) -> Team:
     if opening.contents.refused:
         raise refusal(source, opening.contents.refused)
     message = f"{safe_text(source, MAX_PATH_SHOWN)}: {missing_programs(opening.contents.files, opening.missing)}"
-    raise TeamError(message, code=_MISSING)
+    raise TeamError(message, code=LAYOUT_MISSING)
 
 
 def look_into(path: Path, *seats: Entrant) -> Opening:
@@ -231,11 +218,10 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
         team = None
         if not contents.refused:
             entries = {
-                robot: single or next(entry for entry in alternatives(wanted) if PurePosixPath(entry) in files)
-                for seat in seats
-                for robot, wanted in seat.robots.items()
+                robot: single or next(entry for entry in wanted if PurePosixPath(entry) in files)
+                for robot, wanted in wanted_programs(seats).items()
             }
-            notes = tuple(one.sentence for one in name.warnings)
+            notes = tuple(problem.sentence for problem in name.problems if problem.level != "passed")
             team = Team(path, files, name.text, notes, entries, single, layout)
         return Opening(contents, files, team, name, layout.top, layout.within)
     whole = without_top_folders(contents.files)
@@ -246,16 +232,19 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
 
 def _lacking(files: Files, seats: Iterable[Entrant], single: str) -> dict[str, tuple[str, ...]]:
     return {
-        robot: alternatives(wanted)
-        for seat in seats
-        for robot, wanted in seat.robots.items()
-        if not single and all(PurePosixPath(entry) not in files for entry in alternatives(wanted))
+        robot: wanted
+        for robot, wanted in wanted_programs(seats).items()
+        if not single and all(PurePosixPath(entry) not in files for entry in wanted)
     }
 
 
-def alternatives(entry_points: EntryPoints) -> tuple[str, ...]:
-    """Return the paths of which the first that exists is the program."""
-    return (entry_points,) if isinstance(entry_points, str) else tuple(entry_points)
+def wanted_programs(seats: Iterable[Entrant]) -> dict[str, tuple[str, ...]]:
+    """Return by robot the paths of which the first that exists is its program."""
+    return {
+        robot: (wanted,) if isinstance(wanted, str) else wanted
+        for seat in seats
+        for robot, wanted in seat.robots.items()
+    }
 
 
 @dataclass(frozen=True)
@@ -305,12 +294,7 @@ def without_top_folders(files: Files) -> list[Layout]:
 
 def _inside_entry_folder(files: Files, seats: Sequence[Entrant]) -> list[Layout]:
     """Return the files under the name of each folder that could be asked for: they may be what belongs in it."""
-    asked = dict.fromkeys(
-        PurePosixPath(entry)
-        for seat in seats
-        for entry_points in seat.robots.values()
-        for entry in alternatives(entry_points)
-    )
+    asked = dict.fromkeys(PurePosixPath(entry) for wanted in wanted_programs(seats).values() for entry in wanted)
     return [
         Layout(layout.top, entry.parent, layout.below, layout.beside)
         for layout in without_top_folders(files)

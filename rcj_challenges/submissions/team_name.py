@@ -45,11 +45,6 @@ class TeamName:
     given: bool
     problems: tuple[Diagnostic, ...]
 
-    @property
-    def warnings(self) -> list[Diagnostic]:
-        """The problems that change what is shown, or that should be put right."""
-        return [problem for problem in self.problems if problem.level != "passed"]
-
 
 def find_team_name(files: Files, fallback: str) -> TeamName:
     """Return the name that a team gave itself, or else ``fallback``, the name of its folder or archive."""

@@ -18,7 +18,8 @@ from hypothesis import strategies as st
 
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.submissions import archive
-from rcj_challenges.submissions.team import TeamError, missing_programs, open_team, safe_name
+from rcj_challenges.submissions.team import TeamError, missing_programs, open_team
+from rcj_challenges.submissions.team_name import safe_name
 
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 BLUE = Entrant(
