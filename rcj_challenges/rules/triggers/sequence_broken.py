@@ -1,37 +1,24 @@
 """The trigger ``sequence_broken``."""
 
-from typing import Annotated, Literal
+from typing import Literal
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
-from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
-from rcj_challenges.rules.triggers.sequence_completed import (
-    WHOSE_SEQUENCE,
-    SequenceCompleted,
-    trackers_of,
-    which_sequence,
-)
+from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted, SequenceTrigger
 
 
-class SequenceBroken(Trigger):
+class SequenceBroken(SequenceTrigger):
     """Fires on a wrong step in a sequence with ``wrong_step: break``; the sequence then starts again.
 
     Before the first step, none is wrong; afterwards all are but the last reached and the next.
     """
 
     trigger: Literal["sequence_broken"]
-    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
-    entity: Annotated[Names | None, ENTITIES] = described(None, WHOSE_SEQUENCE)
 
-    MEASURED = "the time in s since the first step of the sequence"
     EXAMPLE = SequenceCompleted.EXAMPLE
 
     def bind(self, to: Binder) -> None:
-        for tracker in trackers_of(to, self.sequence, self.entity):
+        for tracker in self.trackers(to):
             tracker.broken.append(to.binding(tracker.entity))
 
     def describe(self, phrases: Phrases) -> str:
-        return f"{which_sequence(phrases, self.sequence, self.entity)} is broken"
-
-    def about(self, phrases: Phrases) -> Names | None:
-        return self.entity or phrases.sequence_of(self.sequence)
+        return f"{self.which(phrases)} is broken"

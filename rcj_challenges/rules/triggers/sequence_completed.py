@@ -7,20 +7,40 @@ from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
 from rcj_challenges.tracking.sequences import SequenceTracker
 
-WHOSE_SEQUENCE = (
-    "for a sequence kept per entity: which entity; each: the current member; a group: any "
-    "member; if omitted and there is no for_each: any of them"
-)
+
+class SequenceTrigger(Trigger):
+    """What triggers about a sequence share."""
+
+    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
+    entity: Annotated[Names | None, ENTITIES] = described(
+        None,
+        "for a sequence kept per entity: which entity; each: the current member; a group: any member; if omitted and "
+        "there is no for_each: any of them",
+    )
+
+    MEASURED = "the time in s since the first step of the sequence"
+
+    def trackers(self, to: Binder) -> tuple[SequenceTracker, ...]:
+        """Return the trackers of the sequence: those of the entities that are named, else of all that have one."""
+        trackers, owners = to.sequences(self.sequence), to.owners("sequences", self.sequence, self.entity)
+        return tuple(trackers[member] for member in (trackers if owners is None else owners))
+
+    def which(self, phrases: Phrases) -> str:
+        """Return the sequence in words, with whose it is where each of several has one."""
+        name, entity = self.sequence, self.entity
+        if phrases.owners("sequence", name) is None:
+            return phrases.kept("sequence", name, entity if isinstance(entity, str) else None)
+        return phrases.owned("sequence", entity or phrases.one_of_owners("sequence", name) or (), name)
+
+    def about(self, phrases: Phrases) -> Names | None:
+        return self.entity or phrases.sequence_of(self.sequence)
 
 
-class SequenceCompleted(Trigger):
+class SequenceCompleted(SequenceTrigger):
     """Fires when the last step of a sequence is completed."""
 
     trigger: Literal["sequence_completed"]
-    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
-    entity: Annotated[Names | None, ENTITIES] = described(None, WHOSE_SEQUENCE)
 
-    MEASURED = "the time in s since the first step of the sequence"
     EXAMPLE = """
 zones:
   west: {shape: rect, x_max_m: -0.3}
@@ -59,24 +79,8 @@ expect:
 """
 
     def bind(self, to: Binder) -> None:
-        for tracker in trackers_of(to, self.sequence, self.entity):
+        for tracker in self.trackers(to):
             tracker.completed.append(to.binding(tracker.entity))
 
     def describe(self, phrases: Phrases) -> str:
-        return f"{which_sequence(phrases, self.sequence, self.entity)} is complete"
-
-    def about(self, phrases: Phrases) -> Names | None:
-        return self.entity or phrases.sequence_of(self.sequence)
-
-
-def trackers_of(to: Binder, sequence: str, entity: Names | None) -> tuple[SequenceTracker, ...]:
-    """Return the trackers of a sequence: those of the entities that are named, else of all that have one."""
-    trackers, owners = to.sequences(sequence), to.owners("sequences", sequence, entity)
-    return tuple(trackers[member] for member in (trackers if owners is None else owners))
-
-
-def which_sequence(phrases: Phrases, sequence: str, entity: Names | None) -> str:
-    """Return the sequence that a trigger waits for, with whose it is where each of several has one."""
-    if phrases.owners("sequence", sequence) is None:
-        return phrases.kept("sequence", sequence, entity if isinstance(entity, str) else None)
-    return phrases.owned("sequence", entity or phrases.one_of_owners("sequence", sequence) or (), sequence)
+        return f"{self.which(phrases)} is complete"
