@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceWord, Scope
+from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Names, Point, Positive, described
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ANCHORS
@@ -29,6 +29,13 @@ class RandomPlace(PlaceWord):
     )
 
     TOGETHER = (("from_", "at_least_m", None),)
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        return PlaceResolver(self.finder(to, self.sampler(to)), random=True)
+
+    def sampler(self, to: Scope) -> Callable[[Random], Point]:
+        """Return a function that draws a point."""
+        raise NotImplementedError
 
     def finder(self, to: Scope, sample: Callable[[Random], Point]) -> Callable[[PlaceRequest], Point | None]:
         """Return a function that draws points until one is far enough; None: there is none so soon."""

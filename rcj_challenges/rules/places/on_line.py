@@ -5,7 +5,7 @@ from random import Random
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Phrases, PlaceResolver, Scope
+from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Point
 from rcj_challenges.rules.places.apart import RandomPlace
 
@@ -29,9 +29,6 @@ expect:
     poses: {ball: [0, 0]}
     tolerance_m: 0.45
 """
-
-    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        return PlaceResolver(self.finder(to, self.sampler(to)), random=True)
 
     def sampler(self, _to: Scope) -> Callable[[Random], Point]:
         (ax, ay), (bx, by) = self.on_line

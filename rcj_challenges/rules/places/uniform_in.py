@@ -4,7 +4,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, PlaceResolver, Scope
+from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Names, Point, described
 from rcj_challenges.rules.places.apart import RandomPlace
 from rcj_challenges.rules.refs import Ref
@@ -33,9 +33,6 @@ expect:
     poses: {ball: [0.4, 0]}
     tolerance_m: 0.1
 """
-
-    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        return PlaceResolver(self.finder(to, self.sampler(to)), random=True)
 
     def sampler(self, to: Scope) -> Callable[[Random], Point]:
         return to.random_point(self.uniform_in)
