@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 
 from rcj_challenges.core.timing import SUBSTEP_S
 
@@ -42,14 +44,11 @@ class Contacts:
         """Return whether a pair touches, or has been apart for fewer than so many sub-steps."""
         return pair in self._touching or self._now - self._parted.get(pair, -NEVER_TOUCHED) < apart
 
-    def follow_last(self, entity: int) -> None:
-        """Remember from now on which robot touched the entity last."""
+    def follow_last(self, entity: int) -> Callable[[], int | None]:
+        """Return a function that reads which robot touched the entity last since it was put where it is; None: none."""
         self.used = True
         self._last.setdefault(entity, None)
-
-    def last(self, entity: int) -> int | None:
-        """Return the index of the robot that touched the entity last since it was put where it is, or None."""
-        return self._last[entity]
+        return partial(self._last.__getitem__, entity)
 
     def advance(self, touches: Touches) -> None:
         """Go through the sub-steps of a tick."""

@@ -85,11 +85,11 @@ expect:
     def _receivers(self, to: Binder) -> Callable[[], tuple[str, ...]]:
         """Return the function that finds the receivers: entrants by name, or those that drive robots."""
         if isinstance(self.entrant, LastToucher):
-            (touched,), contacts, drivers = to.entities(self.entrant.last_touch), to.contacts, to.state.entrant_of
-            contacts.follow_last(touched)
+            drivers = to.state.entrant_of
+            last = to.contacts.follow_last(to.entities(self.entrant.last_touch)[0])
 
             def driver_of_the_last() -> tuple[str, ...]:
-                robot = contacts.last(touched)
+                robot = last()
                 driver = None if robot is None else drivers.get(to.name_of(robot))
                 return () if driver is None else (driver,)
 

@@ -16,15 +16,16 @@ class LastTouchIs(Condition):
     equals: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group (any member)")
 
     KEY = "last_touch"
-    ABOUT = "last_touch"
     NOTES = (LAST_TOUCH_NOTE,)
     EXAMPLE = LastTouchValue.EXAMPLE
 
     def test(self, to: Binder) -> Test:
         (touched,), by = to.entities(self.last_touch), frozenset(to.entities(self.equals))
-        contacts = to.contacts
-        contacts.follow_last(touched)
-        return lambda: contacts.last(touched) in by
+        last = to.contacts.follow_last(touched)
+        return lambda: last() in by
+
+    def about(self) -> Names:
+        return self.last_touch
 
     def watched(self, to: Binder) -> tuple[int, ...]:
         (touched,) = to.entities(self.last_touch)

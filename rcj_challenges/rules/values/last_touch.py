@@ -32,11 +32,10 @@ expect:
 """
 
     def read(self, to: Scope) -> Reader:
-        contacts, (touched,) = to.contacts, to.entities(self.last_touch)
-        contacts.follow_last(touched)
+        last = to.contacts.follow_last(to.entities(self.last_touch)[0])
 
         def name(_firing: Firing) -> str | None:
-            robot = contacts.last(touched)
+            robot = last()
             return None if robot is None else to.name_of(robot)
 
         return name
