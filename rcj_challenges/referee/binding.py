@@ -10,12 +10,12 @@ from rcj_challenges.referee.bodies import PlacementBoard
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.scope import NameScope
-from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.base import Act, Trigger, ValueWord
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Names, Point, Scalar
 from rcj_challenges.rules.placement import Mirror
-from rcj_challenges.scenario.rule_effects import alternatives, roles_in
+from rcj_challenges.scenario.rule_effects import alternatives, layouts_of, roles_in
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.trackers import Tracker
 
@@ -70,7 +70,8 @@ class RuleBinder(NameScope):
 
     def track(self, kind: type[_T], key: tuple[object, ...] | None, *args: Any) -> _T:
         # One that is about members of roles is not shared with others: it is reset when one of these is assigned.
-        shared = None if key is None else (*key, *self._holders)
+        own = self.each if any(isinstance(part, ValueWord) for part in key or ()) else None
+        shared = None if key is None else (*key, own, *self._holders)
         tracker = self._context.track(kind, shared, self.rule.phases, *args)
         named = sorted(self.named) if key is None else ()
         self.reset_with_draws(tracker, (*(role for role, _ in self._holders), *named))
@@ -92,13 +93,26 @@ class RuleBinder(NameScope):
     def assign_next(self, name: str) -> None:
         self._context.assign(name, lambda: self.state.assign_next(name))
 
-    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
-        return self.scenario.draws[draw].values
-
     def is_on_floor(self, point: Point) -> bool:
         return self._context.bodies.floor.has(point)
 
-    def layout_jobs(self, layout: str, mirror: Mirror | None) -> list[PlacementJob]:
+    def placing(self, effect: Places | PlacesLayout) -> Act:
+        ask = self._context.queue.ask
+
+        def place(jobs: list[PlacementJob]) -> None:
+            for job in jobs:
+                ask(job if job.spec is None else replace(job, signs=job.spec.signs_now()))
+
+        if isinstance(effect, Places):
+            single = [self.placement_job(effect, entity) for entity in self.entities(effect.names)]
+            return lambda _firing: place(single)
+        layouts = {name: self._layout_jobs(name, effect.mirror) for name in layouts_of(self.scenario, effect)}
+        draws, layout = self.state.draws, effect.layout
+        if effect.is_drawn:
+            return lambda _firing: place(layouts[str(draws[layout])])
+        return lambda _firing: place(layouts[layout])
+
+    def _layout_jobs(self, layout: str, mirror: Mirror | None) -> list[PlacementJob]:
         context, each = self._context, self.rule.each
         key = (layout, each, mirror)
         specs = context.layouts.get(key)
@@ -115,10 +129,6 @@ class RuleBinder(NameScope):
     def placement_job(self, put: Places, entity: int) -> PlacementJob:
         stream = f"rule/{self.rule.name}/{self.name_of(entity)}"
         return PlacementJob(entity, compile_placement(put, self, entity, stream), self.rule)
-
-    def place(self, jobs: list[PlacementJob]) -> None:
-        for job in jobs:
-            self._context.queue.ask(job if job.spec is None else replace(job, signs=job.spec.signs_now()))
 
     def remove(self, entity: int, back: PlacementJob | None = None, ticks: int = 0) -> None:
         self._context.queue.ask(PlacementJob(entity, None, self.rule))

@@ -21,7 +21,7 @@ from rcj_challenges.scenario.rule_effects import roles_in, with_names
 from rcj_challenges.scenario.shapes import centre_of, start_noise_m, start_pose
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
-from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target, point_of
+from rcj_challenges.tracking.places import Anchor, Poses, Target, point_of
 
 _T = TypeVar("_T")
 _W = TypeVar("_W")
@@ -176,9 +176,9 @@ class NameScope:
         anchor = None if gate.anchor is None else self.entities(gate.anchor)[0]
         return GateLine(gate.from_m, gate.to_m, anchor, self.state)
 
-    def start_of(self, entity: int) -> StartPose:
+    def start_of(self, entity: int) -> tuple[Pose2, Point]:
         name = self.roster.entities[entity]
-        return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
+        return start_pose(self.scenario, name), start_noise_m(self.scenario, name)
 
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
         return self._find(what, lambda entity: lambda: entity)

@@ -239,13 +239,7 @@ class KeyedWord(Word):
 
 
 class Condition(KeyedWord):
-    """What must hold when a trigger fires.
-
-    Attributes:
-        ABOUT: the field with the entities whose place it reads; empty: none.
-    """
-
-    ABOUT: ClassVar = ""
+    """What must hold when a trigger fires."""
 
     negate: bool = described(False, "True: the opposite must hold")
 
@@ -258,10 +252,9 @@ class Condition(KeyedWord):
         """Return the test of the condition as it is without ``negate``."""
         raise NotImplementedError
 
-    def watched(self, to: Binder) -> tuple[int, ...]:
+    def watched(self, _to: Binder) -> tuple[int, ...]:
         """Return the entities whose placement changes it: a trigger that follows it is reset then."""
-        names = self.about()
-        return () if names is None else to.entities(names)
+        return ()
 
     def describe(self, phrases: Phrases) -> str:
         """Return the condition, or the opposite of a negated one, as the part of a sentence that follows ``if``."""
@@ -269,8 +262,7 @@ class Condition(KeyedWord):
 
     def about(self) -> Names | None:
         """Return the entities whose place it reads, if it names them."""
-        names: Names | None = getattr(self, self.ABOUT) if self.ABOUT else None
-        return names
+        return None
 
     def grouped(self) -> Names | None:
         """Return the names of which it must hold of so many; None: it names none."""

@@ -4,14 +4,15 @@ from collections.abc import Callable, Iterable, Mapping
 from random import Random
 from typing import Any, Protocol, TypeVar
 
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Region
-from rcj_challenges.rules.effects import Places
+from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
-from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
+from rcj_challenges.tracking.bound_rules import Act, BoundRule, TriggerBinding
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
-from rcj_challenges.tracking.places import Anchor, Poses, StartPose, Target
+from rcj_challenges.tracking.places import Anchor, Poses, Target
 from rcj_challenges.tracking.sequences import SequenceTracker
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import Tracker, TrackerManager
@@ -67,8 +68,8 @@ class Scope(Protocol):
         None while it is off the field.
         """
 
-    def start_of(self, entity: int) -> StartPose:
-        """Return the start of an entity."""
+    def start_of(self, entity: int) -> tuple[Pose2, Point]:
+        """Return the pose in which an entity starts, and the half widths of the noise on x and y, in m."""
 
     def owners(self, section: str, name: str, names: Names | None) -> tuple[str, ...] | None:
         """Return whose counter, flag, timer or sequence is meant; None: all of them, or the only one.
@@ -130,7 +131,8 @@ class Binder(Scope, Protocol):
     def track(self, kind: type[_T], key: tuple[object, ...] | None, *args: Any) -> _T:
         """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it.
 
-        A new one is made of state, hits and ``args``. Without a key it is not shared.
+        A new one is made of state, hits and ``args``. Without a key it is not shared, with values in it not between
+        the members of ``for_each``.
         """
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
@@ -156,9 +158,6 @@ class Binder(Scope, Protocol):
     def assign_next(self, name: str) -> None:
         """Draw again, or give a role to the next of its order."""
 
-    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
-        """Return the values of a draw."""
-
     def enter_phase(self, phase: str) -> None:
         """Enter a phase, at once."""
 
@@ -168,14 +167,11 @@ class Binder(Scope, Protocol):
     def is_on_floor(self, point: Point) -> bool:
         """Return whether a point lies inside the walls."""
 
-    def layout_jobs(self, layout: str, mirror: Any) -> list[Any]:
-        """Return the placements of a layout, in order."""
+    def placing(self, effect: Places | PlacesLayout) -> Act:
+        """Return a function that asks for placements, to be carried out after all actions of the tick."""
 
     def placement_job(self, put: Places, entity: int) -> Any:
         """Return the placement of one entity."""
-
-    def place(self, jobs: list[Any]) -> None:
-        """Ask for placements, to be carried out after all actions of the tick."""
 
     def remove(self, entity: int, back: Any = None, ticks: int = 0) -> None:
         """Ask for an entity to be taken off the field; ``back``: its placement so many ticks from now."""

@@ -47,7 +47,7 @@ Facing = Annotated[
 
 def compile_facing(facing: Facing, to: Scope, entity: int) -> CompiledFacing:
     """Return a function from a point to the yaw there, in rad."""
-    start_yaw, state = to.start_of(entity).pose[2], to.state
+    ((_, _, start_yaw), _), state = to.start_of(entity), to.state
     match facing:
         case Towards():
             target = to.anchor(facing.towards)

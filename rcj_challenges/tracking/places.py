@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 from rcj_challenges.core.play import Pose2
 
@@ -28,13 +28,6 @@ class Board(Poses, Protocol):
 
         The present place of the entity that is to be put there, if any, counts as well.
         """
-
-
-class StartPose(NamedTuple):
-    """Where an entity starts: its pose, and the half widths of the noise on x and y, in m."""
-
-    pose: Pose2
-    noise_m: Point
 
 
 Anchor = int | Point

@@ -35,18 +35,9 @@ expect:
 """
 
     def compile(self, to: Binder) -> Act:
-        if isinstance(self.layout, DrawValue):
-            draws, name = to.state.draws, self.layout.draw
-            layouts = {value: to.layout_jobs(str(value), self.mirror) for value in to.draw_values(name)}
-            return lambda _firing: to.place(layouts[draws[name]])
-        if self.layout is not None:
-            jobs = to.layout_jobs(self.layout, self.mirror)
-        else:
-            put = places(self)
-            jobs = [to.placement_job(put, entity) for entity in to.entities(put.names)]
-        return lambda _firing: to.place(jobs)
+        return to.placing(*self.effects())
 
-    def effects(self) -> tuple[Places | PlacesLayout, ...]:
+    def effects(self) -> tuple[Places | PlacesLayout]:
         match self.layout:
             case None:
                 return (places(self),)

@@ -12,7 +12,7 @@ from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigg
 from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import degrees, listed, metres
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.rules.values import Angle, Limit, compile_limit, limit_key, limit_words
+from rcj_challenges.rules.values import Angle, Limit, compile_limit, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import PositionTracker
@@ -67,7 +67,7 @@ expect:
             for limit in (self.distance_m, self.angle_rad)
         )
         for entity in to.entities(self.entity):
-            key = (entity, self.from_, self.axis, *limit_key(to, self.distance_m, self.angle_rad))
+            key = (entity, self.from_, self.axis, self.distance_m, self.angle_rad)
             to.track(DisplacedTracker, key, entity, self, *limits).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:

@@ -11,7 +11,7 @@ from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigg
 from rcj_challenges.rules.fields import DurationS, Names, described
 from rcj_challenges.rules.phrasing import metres, seconds
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.rules.values import Limit, compile_limit, limit_key, limit_words
+from rcj_challenges.rules.values import Limit, compile_limit, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, DueTracker
@@ -47,7 +47,7 @@ expect:
     def bind(self, to: Binder) -> None:
         limit_m = compile_limit(self.distance_m, to, most=inf, none=0.0)
         for entity in to.entities(self.entity):
-            key = (entity, self.within_s, *limit_key(to, self.distance_m))
+            key = (entity, self.within_s, self.distance_m)
             to.track(PathTracker, key, entity, self, limit_m).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:

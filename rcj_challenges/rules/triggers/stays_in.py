@@ -9,7 +9,7 @@ from rcj_challenges.geometry.regions import Cell, Region
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, ZONES
-from rcj_challenges.rules.values import Lasts, Waits, compile_limit, duration_words, limit_key
+from rcj_challenges.rules.values import Lasts, Waits, compile_limit, duration_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, DueTracker, PositionTracker
@@ -50,7 +50,7 @@ expect:
         zones, region = to.members(self.zone), to.region(self.zone)
         limits = compile_limit(self.limit_s, to, TICK_S), compile_limit(self.grace_s, to, none=0.0)
         for entity in to.entities(self.entity):
-            key = (entity, zones, *limit_key(to, self.limit_s, self.grace_s))
+            key = (entity, zones, self.limit_s, self.grace_s)
             tracker = to.track(StayTracker, key, entity, region, *limits)
             to.reset_with_draws(tracker, zones)
             tracker.bindings.append(to.binding(entity))

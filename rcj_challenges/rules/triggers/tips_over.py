@@ -8,7 +8,7 @@ from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.refs import Ref
-from rcj_challenges.rules.values import Angle, compile_limit, limit_key, limit_words
+from rcj_challenges.rules.values import Angle, compile_limit, limit_words
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
@@ -48,7 +48,7 @@ expect:
     def bind(self, to: Binder) -> None:
         limit_rad = compile_limit(self.angle_rad, to, most=pi, none=pi)
         for robot in to.entities(self.entity):
-            key = (robot, *limit_key(to, self.angle_rad))
+            key = (robot, self.angle_rad)
             to.track(TiltTracker, key, robot, limit_rad).bindings.append(to.binding(robot))
 
     def describe(self, phrases: Phrases) -> str:

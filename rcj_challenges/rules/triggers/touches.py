@@ -9,7 +9,7 @@ from rcj_challenges.rules.effects import Touch
 from rcj_challenges.rules.fields import Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
-from rcj_challenges.rules.values import Lasts, compile_limit, every_words, limit_key
+from rcj_challenges.rules.values import Lasts, compile_limit, every_words
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.contacts import APART_S, Contacts, Pair, substeps_apart
 from rcj_challenges.tracking.state import RefereeState
@@ -104,7 +104,7 @@ expect:
                     pair = (min(entity, other), max(entity, other))
                     tracker.by_pair.setdefault(pair, []).append(binding)
                     if self.every_s is not None:
-                        key = (pair, apart, *limit_key(to, self.every_s))
+                        key = (pair, apart, self.every_s)
                         every_s = compile_limit(self.every_s, to, TICK_S)
                         to.track(LastingTouchTracker, key, to.contacts, pair, every_s, apart).bindings.append(binding)
 

@@ -121,11 +121,6 @@ def compile_limit(
     return limit_now
 
 
-def limit_key(to: Binder, *limits: Amount | None) -> tuple[object, ...]:
-    """Return what tells trackers with these limits apart: a value may be another one for each."""
-    return (*limits, to.each if any(isinstance(one, ValueWord) for one in limits) else None)
-
-
 # --- what the sheet says of them --------------------------------------------------------------------------------------
 
 
@@ -160,5 +155,5 @@ def limit_words(phrases: Phrases, limit: Amount, written: Callable[[float], str]
 __all__ = (
     "COMPARABLE", "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Angle", "Lasts", "Limit", "Value", "Waits",
     "amount_words", "compile_amount", "compile_duration", "compile_limit", "compile_value", "duration_words",
-    "every_words", "is_calculated", "limit_key", "limit_words", "longest_s", "value_words",
+    "every_words", "is_calculated", "limit_words", "longest_s", "value_words",
 )  # fmt: skip
