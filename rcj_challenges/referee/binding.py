@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from rcj_challenges.referee.bodies import PlacementBoard
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.rules.base import Act, Trigger, ValueWord
-from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Names, Point, Scalar
 from rcj_challenges.rules.placement import Mirror
@@ -26,8 +25,8 @@ class RuleBinder(NameScope):
     """Implements `Binder` for one rule."""
 
     def __init__(self, context: CompileContext, rule: BoundRule, for_each: str | None) -> None:
-        super().__init__(context.state, context.contacts, rule.each, context.names)
-        self.for_each, self.other = for_each, rule.other
+        super().__init__(context.state, rule.each, for_each)
+        self.other = rule.other
         self._context = context
         self.rule = rule
         self.trackers = context.trackers
@@ -134,7 +133,3 @@ class RuleBinder(NameScope):
         self._context.queue.ask(PlacementJob(entity, None, self.rule))
         if back is not None:
             self._context.queue.ask_later(replace(back, due=self.state.tick + ticks, comes_back=True))
-
-
-if TYPE_CHECKING:
-    _: type[Binder] = RuleBinder

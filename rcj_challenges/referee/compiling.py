@@ -18,9 +18,8 @@ from rcj_challenges.rules.values import Lasts, Value, compile_duration, compile_
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.walk import walk
-from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, HitBuffer, Reader
+from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, Reader
 from rcj_challenges.tracking.clock_events import ClockEvents
-from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.sequences import SequencePath, SequenceTracker
 from rcj_challenges.tracking.trackers import Tracker, TrackerManager
 
@@ -40,10 +39,8 @@ class CompileContext:
         self.state = state
         self.scenario = state.scenario
         self.roster = state.roster
-        self.hits = HitBuffer()
         self.trackers = TrackerManager(state)
         self.clock_events = ClockEvents()
-        self.contacts = Contacts(state.roster.robots)
         self.bodies = Bodies(state.scenario, state.roster)
         self.queue = PlacementQueue()
         self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
@@ -52,7 +49,7 @@ class CompileContext:
         self._sequences: dict[str, dict[str | None, SequenceTracker]] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}
-        self.names = NameScope(state, self.contacts)
+        self.names = NameScope(state)
         self._lengths: dict[tuple[Lasts, str | None, str | None], Callable[[Firing], float | None]] = {}
 
     def set_length(self, timer: str, owner: str | None) -> None:
@@ -85,8 +82,7 @@ class CompileContext:
             return None
         read = self._lengths.get((lasts_s, owner, per))
         if read is None:
-            scope = NameScope(self.state, self.contacts, owner, self.names)
-            scope.for_each = per
+            scope = NameScope(self.state, owner, per)
             read = self._lengths[lasts_s, owner, per] = compile_duration(lasts_s, scope, least_s=TICK_S)
         return read(NO_FIRING)
 
@@ -111,7 +107,7 @@ class CompileContext:
         shared = None if key is None else self._shared.get((kind, *key, phases))
         if shared is not None:
             return cast("_T", shared)
-        tracker = kind(self.state, self.hits, *args)
+        tracker = kind(self.state, *args)
         tracker.phases = phases
         self.trackers.all.append(tracker)
         if key is not None:

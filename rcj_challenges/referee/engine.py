@@ -70,13 +70,13 @@ class Referee:
         self.undecided, self.undecided_spots = self._state.undecided, self._state.undecided_spots
         self._context = CompileContext(self._state)
         self._context.emit = self._emit
-        self.rounds = Rounds(self._state, self._context.hits, self._enter_phase)
+        self.rounds = Rounds(self._state, self._enter_phase)
         self._context.enter_phase = self.rounds.set_phase
         assemble(self._context)
         self._state.decide_draws(draws or {})
         self._state.decide_spots(spots or {})
-        self._trackers, self._hits = self._context.trackers, self._context.hits
-        self._contacts, self._queue = self._context.contacts, self._context.queue
+        self._trackers, self._hits = self._context.trackers, self._state.hits
+        self._contacts, self._queue = self._state.contacts, self._context.queue
         self._clock_events = self._context.clock_events
         self._all_present = True
         self._clock_runs = self._clock_ran = True
@@ -90,7 +90,7 @@ class Referee:
         broadcast = scenario.broadcast
         self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._context)
         self._ranked_by = tuple(counters_in(scenario.result.rank))
-        self.ranked = RankedValues(scenario.result.rank, self._state, self._contacts).read
+        self.ranked = RankedValues(scenario.result.rank, self._state).read
         self._change_tracker = ChangeTracker(self._state.scores)
 
     # --- state for readers --------------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from rcj_challenges.core.play import Firing as FiringRecord
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.log_sentences import fill_blanks
 from rcj_challenges.referee.state import State
-from rcj_challenges.tracking.bound_rules import BoundRule, Denial, Denied, Firing, HitBuffer, TriggerHit
+from rcj_challenges.tracking.bound_rules import BoundRule, Denial, Denied, Firing, TriggerHit
 
 
 class Rounds:
@@ -25,12 +25,12 @@ class Rounds:
         denied: what kept triggered rules from firing; None: it is not noted (only tests need it).
     """
 
-    def __init__(self, state: State, hits: HitBuffer, enter_phase: Callable[[str], None]) -> None:
+    def __init__(self, state: State, enter_phase: Callable[[str], None]) -> None:
         self.firings: list[FiringRecord] = []
         self.settling = 0
         self.denied: Denied | None = None
         self._state = state
-        self._hits = hits
+        self._hits = state.hits
         self._enter_phase = enter_phase
         self._next_phase: str | None = None
         self._lost_phase = False

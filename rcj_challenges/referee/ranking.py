@@ -9,12 +9,11 @@ from rcj_challenges.core.amounts import round_score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.referee.state import State
-from rcj_challenges.rules.base import Number, Reader
+from rcj_challenges.rules.base import Number
 from rcj_challenges.rules.ranked import Ranked
 from rcj_challenges.scenario.halves import by_seat
 from rcj_challenges.scenario.roster import ENTRANTS
 from rcj_challenges.tracking.bound_rules import NO_FIRING
-from rcj_challenges.tracking.contacts import Contacts
 
 HalfValues = Mapping[str, Sequence[Number | None]]
 """By team, the values of a half by which it is ranked, in the order of the scenario's ``result``; None: it has none."""
@@ -37,11 +36,11 @@ def over_halves(rank: Sequence[Ranked], team: str, halves: Sequence[HalfValues])
 class RankedValues:
     """Reads the values by which entrants are ranked, of one half."""
 
-    def __init__(self, rank: Sequence[Ranked], state: State, contacts: Contacts) -> None:
+    def __init__(self, rank: Sequence[Ranked], state: State) -> None:
         self._last = [one.over == "last" for one in rank]
         self._state = state
         seats = state.scenario.entrants
-        self._readers = {seat: [_reader(one, seat, state, contacts) for one in rank] for seat in seats}
+        self._readers = {seat: [one.compile(NameScope(state, seat, ENTRANTS)) for one in rank] for seat in seats}
 
     def read(self, before: HalfInfo) -> HalfValues:
         """Return the values by now; ``before``: the half with the scores and counters that it began with."""
@@ -63,12 +62,6 @@ class RankedValues:
 
     def _read(self, half: HalfInfo) -> dict[str, list[Number | None]]:
         return {team: [read(NO_FIRING) for read in self._readers[seat]] for seat, team in half.teams.items()}
-
-
-def _reader(ranked: Ranked, seat: str, state: State, contacts: Contacts) -> Reader:
-    scope = NameScope(state, contacts, seat)
-    scope.for_each = ENTRANTS
-    return ranked.compile(scope)
 
 
 def _less(now: Any, before: Any) -> Any:

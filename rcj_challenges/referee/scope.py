@@ -19,7 +19,6 @@ from rcj_challenges.scenario.models.places import CircleZone
 from rcj_challenges.scenario.roster import EACH, ENTRANTS, OTHER, OTHERS, as_tuple
 from rcj_challenges.scenario.rule_effects import roles_in, with_names
 from rcj_challenges.scenario.shapes import centre_of, start_noise_m, start_pose
-from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import AnchoredCircle, GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, Target, point_of
 
@@ -29,7 +28,7 @@ _F = TypeVar("_F", bound=Callable[..., Any])
 
 if TYPE_CHECKING:
     from rcj_challenges.rules.base import Condition
-    from rcj_challenges.rules.binder import Binder, Scope
+    from rcj_challenges.rules.binder import Binder
 
 
 class NameScope:
@@ -37,29 +36,21 @@ class NameScope:
 
     Args:
         state: the referee's memory.
-        contacts: what touches what.
         each: the name that ``each`` stands for; None: it is not known there.
-        same: another scope of this referee; what either finds out about names serves both.
+        for_each: the group for whose members it is; None: for none.
 
     Attributes:
         named: the roles that the words named that it was asked to compile.
     """
 
-    def __init__(
-        self, state: State, contacts: Contacts, each: str | None = None, same: NameScope | None = None
-    ) -> None:
+    def __init__(self, state: State, each: str | None = None, for_each: str | None = None) -> None:
         self.state = state
-        self.each = each
-        self.for_each: str | None = None
+        self.each, self.for_each = each, for_each
         self.other: str | None = None
-        self.contacts = contacts
         self.scenario = state.scenario
         self.roster = state.roster
         self.named: set[str] = set()
         self.roles: Mapping[str, tuple[str, ...]] = state.roster.roles
-        self._members: dict[tuple[Names, str | None, str | None], tuple[str, ...]] = {}
-        if same is not None:
-            self._members = same._members  # noqa: SLF001 - its own class
 
     def by_role(self, word: _W, compiled: Callable[[_W], _F], otherwise: Any) -> _F:
         named = roles_in(word, self.roles)
@@ -86,9 +77,9 @@ class NameScope:
 
     def members(self, names: Names) -> tuple[str, ...]:
         key = (names, self.each, self.for_each)
-        known = self._members.get(key)
+        known = self.state.members.get(key)
         if known is None:
-            known = self._members[key] = self.roster.named(names, self.for_each, self.each)
+            known = self.state.members[key] = self.roster.named(names, self.for_each, self.each)
         return known
 
     def entrants(self, names: Names) -> tuple[str, ...]:
@@ -276,7 +267,3 @@ def _at(place: Callable[[], tuple[float, ...] | None], entity: int | None = None
         return None if at is None else sqrt((x_m - at[0]) ** 2 + (y_m - at[1]) ** 2)
 
     return Target(away_m, place, entity)
-
-
-if TYPE_CHECKING:
-    _: type[Scope] = NameScope

@@ -11,7 +11,7 @@ from typing import Any
 from rcj_challenges.core.amounts import plain, round_score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.scenario.draw_order import Series, drawable, series_of
 from rcj_challenges.scenario.halves import by_seat, by_team, half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -37,10 +37,14 @@ def _begin(values: dict[str, Any], name: str, initial: Any) -> None:
 
 
 class State(RefereeState):
-    """The referee's memory of one half, filled from a scenario."""
+    """The referee's memory of one half, filled from a scenario.
+
+    Attributes:
+        members: by names, ``each`` and ``for_each``: what these stand for, as far as it has been found out.
+    """
 
     def __init__(self, scenario: Scenario, roster: Roster, half: HalfInfo) -> None:
-        super().__init__(half, scenario.first_phase, len(roster.entities))
+        super().__init__(half, scenario.first_phase, len(roster.entities), roster.robots)
         self.scenario = scenario
         self.roster = roster
         self.spots = {name: (spot.x_m, spot.y_m) for name, spot in scenario.spots.items()}
@@ -53,6 +57,7 @@ class State(RefereeState):
         roles = {name: role.draw(roster.roles[name]) for name, role in scenario.roles.items()}
         self.chosen: dict[str, Draw] = {**scenario.draws, **roles}
         self._histories: dict[str, dict[str, RuleHistory]] = {}
+        self.members: dict[tuple[Names, str | None, str | None], tuple[str, ...]] = {}
         self._fill()
         # The scenario's own number (600, as in the original's log) unless the half is played at another length.
         nominal_s = half_length_s(scenario.match, half.half)

@@ -10,7 +10,6 @@ from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.tracking.bound_rules import Act, BoundRule, TriggerBinding
 from rcj_challenges.tracking.clock_events import ClockEvents
-from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, Poses, Target
 from rcj_challenges.tracking.sequences import SequenceTracker
@@ -31,9 +30,6 @@ class Scope(Protocol):
 
     each: str | None
     """The name that ``each`` stands for; None: it is not known there."""
-
-    contacts: Contacts
-    """What touches what."""
 
     roles: Mapping[str, tuple[str, ...]]
     """The members of each role."""
@@ -131,7 +127,7 @@ class Binder(Scope, Protocol):
     def track(self, kind: type[_T], key: tuple[object, ...] | None, *args: Any) -> _T:
         """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it.
 
-        A new one is made of state, hits and ``args``. Without a key it is not shared, with values in it not between
+        A new one is made of the state and ``args``. Without a key it is not shared, with values in it not between
         the members of ``for_each``.
         """
 

@@ -78,7 +78,7 @@ def _in_zone(to: Scope, zones: Names) -> Fact:
 
 
 def _touching(to: Scope, names: Names) -> Fact:
-    state, contacts, things, apart = to.state, to.contacts, to.entities(names), substeps_apart(APART_S)
+    state, contacts, things, apart = to.state, to.state.contacts, to.entities(names), substeps_apart(APART_S)
     contacts.used = True
 
     def touches(entity: int) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from rcj_challenges.tracking.state import Number
+from rcj_challenges.core.amounts import Score
 
 Test = Callable[[], bool]
 """A compiled condition: whether it holds now."""
@@ -101,7 +101,7 @@ class Firing:
     trigger: str
     measured: float | None = None
     limit: float | None = None
-    scored: dict[str, Number] = field(default_factory=dict)
+    scored: dict[str, Score] = field(default_factory=dict)
 
     @property
     def subject(self) -> str | None:

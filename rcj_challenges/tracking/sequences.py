@@ -7,7 +7,7 @@ from typing import NamedTuple
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.geometry.regions import EVERYWHERE, Cell, Region, common_cell
-from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
+from rcj_challenges.tracking.bound_rules import TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import Missed, PositionTracker
@@ -41,10 +41,10 @@ class SequenceTracker(PositionTracker):
     """
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, path: SequencePath,
+        self, state: RefereeState, entity: int, path: SequencePath,
         zones: dict[str, Region], gates: dict[str, GateLine],
     ) -> None:  # fmt: skip
-        super().__init__(state, hits, entity)
+        super().__init__(state, entity)
         self.reached: str | None = None
         self.completed: list[TriggerBinding] = []
         self.broken: list[TriggerBinding] = []

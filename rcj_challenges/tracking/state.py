@@ -12,6 +12,8 @@ from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.core.play import HalfInfo, Pose2
 from rcj_challenges.core.streams import random_stream, stream_seed
 from rcj_challenges.core.timing import TICK_S
+from rcj_challenges.tracking.bound_rules import HitBuffer
+from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.held import Held
 from rcj_challenges.tracking.pose_history import PoseHistory
 
@@ -55,6 +57,8 @@ class RefereeState:
         by_hand: entities that a test moved by hand since the last tick; their speed is unknown.
         uprights: by entity, cosine of the tilt.
         present: by entity, whether it is on the field.
+        contacts: what touches what.
+        hits: where trackers report.
         held: which robots are held, by the phase or by rules, on the field or off it.
         placed_at: by entity, the pose in which it was last put, or started.
         ways: by entity, how far it has driven or rolled in the half, in m; only entities that a rule asks about.
@@ -75,7 +79,7 @@ class RefereeState:
         match_over: whether that action ended the whole match.
     """
 
-    def __init__(self, half: HalfInfo, phase: str, entities: int) -> None:
+    def __init__(self, half: HalfInfo, phase: str, entities: int, robots: int) -> None:
         self.half = half
         self.tick = 0
         self.clock = 0
@@ -91,6 +95,8 @@ class RefereeState:
         self.half_length_s: Number = 0
         self.uprights: list[float] = []
         self.present = [True] * entities
+        self.contacts = Contacts(robots)
+        self.hits = HitBuffer()
         self.held = Held()
         self.placed_at: list[Pose2] = []
         self.messages: dict[str, str] = {}

@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import EVERYWHERE, Cell, common_cell
-from rcj_challenges.tracking.bound_rules import HitBuffer, Test, TriggerBinding
+from rcj_challenges.tracking.bound_rules import Test, TriggerBinding
 from rcj_challenges.tracking.state import Clock, RefereeState
 
 NEVER = 1 << 62
@@ -48,11 +48,11 @@ class Tracker:
     since = 0
     missed: Missed | None = None
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, *entities: int) -> None:
+    def __init__(self, state: RefereeState, *entities: int) -> None:
         self.bindings: list[TriggerBinding] = []
         self.entities = entities
         self._state = state
-        self._hits = hits
+        self._hits = state.hits
 
     def is_active_in(self, phase: str) -> bool:
         """Return whether it is active in a phase."""
@@ -73,8 +73,8 @@ class Tracker:
 class PositionTracker(Tracker):
     """A tracker on where one entity's centre is."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int) -> None:
-        super().__init__(state, hits, entity)
+    def __init__(self, state: RefereeState, entity: int) -> None:
+        super().__init__(state, entity)
         self.entity = entity
 
     def cell(self, x_m: float, y_m: float) -> Cell:
@@ -281,10 +281,8 @@ def _stayed(cell: Cell, entity: int, substeps: list[list[Pose2]]) -> bool:
 class RunsWhile(TickTracker):
     """Lets a clock run from a tick in which a test holds to the next one in which it does not."""
 
-    def __init__(
-        self, state: RefereeState, hits: HitBuffer, clock: Clock, test: Test, reschedule: Callable[[], None]
-    ) -> None:
-        super().__init__(state, hits)
+    def __init__(self, state: RefereeState, clock: Clock, test: Test, reschedule: Callable[[], None]) -> None:
+        super().__init__(state)
         self._clock = clock
         self._test = test
         self._reschedule = reschedule

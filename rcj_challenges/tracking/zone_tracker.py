@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell, Region
-from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
+from rcj_challenges.tracking.bound_rules import TriggerBinding
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import Missed, PositionTracker
 
@@ -12,10 +12,8 @@ from rcj_challenges.tracking.trackers import Missed, PositionTracker
 class ZoneTracker(PositionTracker):
     """Follows an entity into and out of a region."""
 
-    def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, region: Region, zones: tuple[str, ...]
-    ) -> None:
-        super().__init__(state, hits, entity)
+    def __init__(self, state: RefereeState, entity: int, region: Region, zones: tuple[str, ...]) -> None:
+        super().__init__(state, entity)
         self.entering: list[TriggerBinding] = []
         self.leaving: list[TriggerBinding] = []
         self._region = region

@@ -14,7 +14,6 @@ from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.tracking.contacts import Contacts
 
 Value = int | float | None
 
@@ -48,7 +47,7 @@ class RankingCounters:
         kept = {} if self._state is None else self._state.kept()
         self._half, self._latest = replace(half, kept=kept), None
         self._state = State(self._scenario, self._roster, self._half)
-        self._values = RankedValues(self._counted, self._state, Contacts(self._roster.robots))
+        self._values = RankedValues(self._counted, self._state)
 
     def by_team(self, counters: Mapping[str, Any]) -> dict[str, list[Value]] | None:
         """Return the current values by team, in the order of `counted_names`; None if a counter is missing."""

@@ -86,7 +86,7 @@ expect:
         """Return the function that finds the receivers: entrants by name, or those that drive robots."""
         if isinstance(self.entrant, LastToucher):
             drivers = to.state.entrant_of
-            last = to.contacts.follow_last(to.entities(self.entrant.last_touch)[0])
+            last = to.state.contacts.follow_last(to.entities(self.entrant.last_touch)[0])
 
             def driver_of_the_last() -> tuple[str, ...]:
                 robot = last()

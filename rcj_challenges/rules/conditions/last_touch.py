@@ -21,7 +21,7 @@ class LastTouchIs(Condition):
 
     def test(self, to: Binder) -> Test:
         (touched,), by = to.entities(self.last_touch), frozenset(to.entities(self.equals))
-        last = to.contacts.follow_last(touched)
+        last = to.state.contacts.follow_last(touched)
         return lambda: last() in by
 
     def about(self) -> Names:

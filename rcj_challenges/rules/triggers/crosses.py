@@ -8,7 +8,7 @@ from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigg
 from rcj_challenges.rules.effects import Crossing
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, GATES
-from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
+from rcj_challenges.tracking.bound_rules import TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import Missed, PositionTracker
@@ -75,10 +75,8 @@ class GateTracker(PositionTracker):
         draw: what must have decided on it; None: it always counts.
     """
 
-    def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, gate: GateLine, name: str, draw: str | None
-    ) -> None:
-        super().__init__(state, hits, entity)
+    def __init__(self, state: RefereeState, entity: int, gate: GateLine, name: str, draw: str | None) -> None:
+        super().__init__(state, entity)
         self.by_direction: dict[int, list[TriggerBinding]] = {1: [], -1: []}
         self._gate = gate
         self._name, self._draw = name, draw

@@ -13,7 +13,6 @@ from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import degrees, listed, metres
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Angle, Limit, compile_limit, limit_words
-from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import PositionTracker
 
@@ -89,10 +88,8 @@ expect:
 class DisplacedTracker(PositionTracker):
     """Follows how far an entity is from an anchor, and how far it has turned."""
 
-    def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, model: Displaced, *limits: Callable[[], float]
-    ) -> None:
-        super().__init__(state, hits, entity)
+    def __init__(self, state: RefereeState, entity: int, model: Displaced, *limits: Callable[[], float]) -> None:
+        super().__init__(state, entity)
         self._read_limit_m, self._read_limit_rad = limits
         self._limit_rad = inf
         self._turns = model.angle_rad is not None

@@ -11,7 +11,6 @@ from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.several_conditions import as_one
 from rcj_challenges.rules.values import Lasts, Waits, compile_limit, duration_words, every_words
-from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, Missed, TickTracker
 
@@ -100,10 +99,10 @@ class HoldTracker(TickTracker):
     """Measures how long a condition holds; an interruption of up to the grace counts as holding."""
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, entities: tuple[int, ...], test: Test,
+        self, state: RefereeState, entities: tuple[int, ...], test: Test,
         for_s: Callable[[], float], grace_s: Callable[[], float], every_s: Callable[[], float] | None,
     ) -> None:  # fmt: skip
-        super().__init__(state, hits, *entities)
+        super().__init__(state, *entities)
         self._test = test
         self._limits = for_s, grace_s, every_s
         self._for_s, self._every_s = 0.0, None if every_s is None else 0.0

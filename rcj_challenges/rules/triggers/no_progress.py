@@ -12,7 +12,6 @@ from rcj_challenges.rules.fields import DurationS, Names, described
 from rcj_challenges.rules.phrasing import metres, seconds
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Limit, compile_limit, limit_words
-from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, DueTracker
 
@@ -67,10 +66,8 @@ class PathTracker(DueTracker):
     meanwhile, and its path begins when it is let go.
     """
 
-    def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, model: NoProgress, limit_m: Callable[[], float]
-    ) -> None:
-        super().__init__(state, hits, entity)
+    def __init__(self, state: RefereeState, entity: int, model: NoProgress, limit_m: Callable[[], float]) -> None:
+        super().__init__(state, entity)
         self._entity = entity
         self._read_length_m = limit_m
         self._length = 0.0

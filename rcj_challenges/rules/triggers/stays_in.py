@@ -10,7 +10,6 @@ from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigg
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.rules.values import Lasts, Waits, compile_limit, duration_words
-from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, DueTracker, PositionTracker
 
@@ -66,10 +65,10 @@ class StayTracker(PositionTracker, DueTracker):
     """Measures how long an entity stays in a region; an absence of up to the grace counts as inside."""
 
     def __init__(
-        self, state: RefereeState, hits: HitBuffer, entity: int, region: Region,
+        self, state: RefereeState, entity: int, region: Region,
         limit_s: Callable[[], float], grace_s: Callable[[], float],
     ) -> None:  # fmt: skip
-        super().__init__(state, hits, entity)
+        super().__init__(state, entity)
         self._region = region
         self.entities = (entity, *region.anchors)
         self._limits = limit_s, grace_s

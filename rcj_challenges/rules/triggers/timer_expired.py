@@ -10,7 +10,7 @@ from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import TIMER
-from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
+from rcj_challenges.tracking.bound_rules import TriggerBinding
 from rcj_challenges.tracking.state import Clock, RefereeState
 from rcj_challenges.tracking.trackers import NEVER, DueTracker
 
@@ -73,8 +73,8 @@ expect:
 class TimerTracker(DueTracker):
     """Reports the clocks of a timer that reach their length."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, clocks: dict[str | None, Clock]) -> None:
-        super().__init__(state, hits)
+    def __init__(self, state: RefereeState, clocks: dict[str | None, Clock]) -> None:
+        super().__init__(state)
         self.by_member: dict[str | None, list[TriggerBinding]] = {}
         self._clocks = clocks
 

@@ -9,7 +9,6 @@ from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.refs import Ref
 from rcj_challenges.rules.values import Angle, compile_limit, limit_words
-from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
 
@@ -60,8 +59,8 @@ expect:
 class TiltTracker(TickTracker):
     """Reports the tick in which a robot exceeds a tilt."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, robot: int, limit_rad: Callable[[], float]) -> None:
-        super().__init__(state, hits, robot)
+    def __init__(self, state: RefereeState, robot: int, limit_rad: Callable[[], float]) -> None:
+        super().__init__(state, robot)
         self._robot = robot
         self._read_limit_rad = limit_rad
         self._limit_rad, self._min_cos = pi, -1.0

@@ -10,8 +10,8 @@ from rcj_challenges.rules.fields import Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
 from rcj_challenges.rules.values import Lasts, compile_limit, every_words
-from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
-from rcj_challenges.tracking.contacts import APART_S, Contacts, Pair, substeps_apart
+from rcj_challenges.tracking.bound_rules import TriggerBinding
+from rcj_challenges.tracking.contacts import APART_S, Pair, substeps_apart
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
 
@@ -92,9 +92,9 @@ expect:
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to new contacts of each pair, and with ``every_s`` to a tracker of contacts that last."""
-        to.contacts.used = True
+        to.state.contacts.used = True
         apart = substeps_apart(self.apart_s)
-        tracker = to.track(TouchTracker, (apart,), to.contacts, apart)
+        tracker = to.track(TouchTracker, (apart,), apart)
         names = zip(to.members(self.other), to.entities(self.other), strict=True)
         others = [index for name, index in names if to.rule.other in (None, name)]
         for entity in to.entities(self.entity):
@@ -106,7 +106,7 @@ expect:
                     if self.every_s is not None:
                         key = (pair, apart, self.every_s)
                         every_s = compile_limit(self.every_s, to, TICK_S)
-                        to.track(LastingTouchTracker, key, to.contacts, pair, every_s, apart).bindings.append(binding)
+                        to.track(LastingTouchTracker, key, pair, every_s, apart).bindings.append(binding)
 
     def describe(self, phrases: Phrases) -> str:
         again = f", and again {every_words(phrases, self.every_s)} while they touch" if self.every_s else ""
@@ -117,10 +117,10 @@ expect:
 class TouchTracker(TickTracker):
     """Reports the new contacts of a tick."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, contacts: Contacts, apart: int) -> None:
-        super().__init__(state, hits)
+    def __init__(self, state: RefereeState, apart: int) -> None:
+        super().__init__(state)
         self.by_pair: dict[Pair, list[TriggerBinding]] = {}
-        self._contacts = contacts
+        self._contacts = state.contacts
         self._apart = apart
 
     def reset(self) -> None:
@@ -135,22 +135,14 @@ class TouchTracker(TickTracker):
 class LastingTouchTracker(TickTracker):
     """Reports at intervals that two things still touch; that they began to is reported by the `TouchTracker`."""
 
-    def __init__(
-        self,
-        state: RefereeState,
-        hits: HitBuffer,
-        contacts: Contacts,
-        pair: Pair,
-        every_s: Callable[[], float],
-        apart: int,
-    ) -> None:
-        super().__init__(state, hits)
+    def __init__(self, state: RefereeState, pair: Pair, every_s: Callable[[], float], apart: int) -> None:
+        super().__init__(state)
         self._pair = pair
         self._apart = apart
         self._read_every_s = every_s
         self._every_s = 0.0
         self._began = self._times = self._due = 0
-        self._contacts = contacts
+        self._contacts = state.contacts
 
     def reset(self) -> None:
         """Count from now on."""

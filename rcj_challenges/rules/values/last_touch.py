@@ -32,7 +32,7 @@ expect:
 """
 
     def read(self, to: Scope) -> Reader:
-        last = to.contacts.follow_last(to.entities(self.last_touch)[0])
+        last = to.state.contacts.follow_last(to.entities(self.last_touch)[0])
 
         def name(_firing: Firing) -> str | None:
             robot = last()

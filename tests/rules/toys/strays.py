@@ -7,7 +7,6 @@ from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, Positive, described
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
 
@@ -50,8 +49,8 @@ expect:
 class StrayTracker(TickTracker):
     """Reports the tick in which an entity is too far away."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, limit_m: float) -> None:
-        super().__init__(state, hits, entity)
+    def __init__(self, state: RefereeState, entity: int, limit_m: float) -> None:
+        super().__init__(state, entity)
         self._limit = limit_m
         self._far = False
 
