@@ -100,7 +100,7 @@ class RuleBinder(NameScope):
 
         def place(jobs: list[PlacementJob]) -> None:
             for job in jobs:
-                ask(job if job.spec is None else replace(job, signs=job.spec.signs_now()))
+                ask(job if job.spec is None else replace(job, signs=job.spec.signs_now(self.state)))
 
         if isinstance(effect, Places):
             single = [self.placement_job(effect, entity) for entity in self.entities(effect.names)]

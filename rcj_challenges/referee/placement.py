@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import sqrt
 from typing import TYPE_CHECKING
@@ -35,7 +34,6 @@ class PlacementSpec:
 
     Attributes:
         facing: returns the yaw in rad for a point; gets the board, the entity, the point and the stream.
-        mirrors: each returns the signs of x and y (-1 mirrors).
         kick: how it rolls away from there; None: it lies still.
     """
 
@@ -43,15 +41,14 @@ class PlacementSpec:
     entity: int
     where: PlaceResolver
     facing: CompiledFacing
-    mirrors: tuple[Callable[[], Point], ...]
     stream: str
     kick: CompiledKick | None = None
 
-    def signs_now(self) -> Point:
-        """Return the signs of x and y with all mirrors as they are now."""
+    def signs_now(self, state: State) -> Point:
+        """Return the signs of x and y (-1 mirrors) with all mirrors as they are now."""
         sign_x, sign_y = 1.0, 1.0
-        for mirror in self.mirrors:
-            turn_x, turn_y = mirror()
+        for mirror in self.how.mirrors:
+            turn_x, turn_y = mirror.signs(state)
             sign_x, sign_y = sign_x * turn_x, sign_y * turn_y
         return sign_x, sign_y
 
@@ -123,7 +120,6 @@ def compile_placement(how: Places, to: Scope, entity: int, stream: str) -> Place
         entity=entity,
         where=how.at.compile(to, entity),
         facing=compile_facing(how.facing, to, entity),
-        mirrors=tuple(mirror.compile(to.state) for mirror in how.mirrors),
         stream=stream,
         kick=None if how.kick is None else how.kick.compile(to, entity),
     )

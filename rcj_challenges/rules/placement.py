@@ -1,6 +1,5 @@
 """How something is put somewhere, whether a layout or a rule says so: what may be said of it, and the sentence."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from math import atan2, pi
 from random import Random
@@ -156,13 +155,11 @@ class Mirror(Strict):
         None, "a flag: mirrored if it is set when the action runs; if omitted: always"
     )
 
-    def compile(self, state: RefereeState) -> Callable[[], Point]:
-        """Return a function that reads the signs of x and y now."""
-        flipped = (-1.0 if self.axis in {"x", "both"} else 1.0, -1.0 if self.axis in {"y", "both"} else 1.0)
-        flag = self.when
-        if flag is None:
-            return lambda: flipped
-        return lambda: flipped if state.flag(flag, None) else (1.0, 1.0)
+    def signs(self, state: RefereeState) -> Point:
+        """Return the signs of x and y now."""
+        if self.when is not None and not state.flag(self.when, None):
+            return (1.0, 1.0)
+        return (-1.0 if self.axis in {"x", "both"} else 1.0, -1.0 if self.axis in {"y", "both"} else 1.0)
 
     def describe(self, phrases: Phrases) -> str:
         """Return a mirror's effect and its condition, in brackets: ``(x becomes -x) if the flag “changed” is set``."""

@@ -82,7 +82,6 @@ expect:
         """
         state, name = to.state, self.spot
         where = self._where(to)
-        mirror = None if self.mirror is None else self.mirror.compile(state)
         is_random = isinstance(self.to, UniformIn | OnLine)
         is_apart = self.to.apart(to) if isinstance(self.to, UniformIn | OnLine) else None
 
@@ -90,7 +89,7 @@ expect:
             if is_random and (decided := state.decided_spots.get(name)):
                 state.spots[name] = decided.pop(0)
                 return
-            sign_x, sign_y = (1.0, 1.0) if mirror is None else mirror()
+            sign_x, sign_y = (1.0, 1.0) if self.mirror is None else self.mirror.signs(state)
             for _ in range(_MAX_TRIES if is_random else 1):
                 point = where()
                 if point is None:
