@@ -83,7 +83,7 @@ class CompileContext:
         read = self._lengths.get((lasts_s, owner, per))
         if read is None:
             scope = NameScope(self.state, owner, per)
-            read = self._lengths[lasts_s, owner, per] = compile_duration(lasts_s, scope, least_s=TICK_S)
+            read = self._lengths[lasts_s, owner, per] = compile_duration(lasts_s, scope, least=TICK_S)
         return read(NO_FIRING)
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:

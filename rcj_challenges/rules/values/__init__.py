@@ -94,16 +94,18 @@ def is_calculated(lasts_s: Lasts) -> bool:
     return isinstance(lasts_s, ValueWord) and not (isinstance(lasts_s, DrawnDuration) and not lasts_s.is_computed())
 
 
-def compile_duration(lasts_s: Lasts, to: Scope, least_s: float = 0.0) -> Callable[[Firing], float | None]:
-    """Return a function that reads a duration in s; None: there is none."""
+def compile_duration(
+    lasts_s: Amount, to: Scope, least: float = 0.0, most: float = LONGEST_S
+) -> Callable[[Firing], float | None]:
+    """Return a function that reads a duration in s, or another limit; None: there is none."""
     read = compile_amount(lasts_s, to)
 
-    def duration_s(firing: Firing) -> float | None:
-        lasts = read(firing)
+    def limited(firing: Firing) -> float | None:
+        value = read(firing)
         # A value may be anything: a duration that is too long must not end the match as a fault.
-        return None if lasts is None else min(max(least_s, float(lasts)), LONGEST_S)
+        return None if value is None else min(max(least, float(value)), most)
 
-    return duration_s
+    return limited
 
 
 def compile_limit(
@@ -112,13 +114,8 @@ def compile_limit(
     """Return a function that reads a limit as its measuring begins; ``none``: what stands for no such number."""
     if isinstance(limit, int | float):
         return lambda: limit
-    read, firing = compile_amount(limit, to), Firing(to.rule, None, "")
-
-    def limit_now() -> float:
-        value = read(firing)
-        return none if value is None else min(max(least, float(value)), most)
-
-    return limit_now
+    read, firing = compile_duration(limit, to, least, most), Firing(to.rule, None, "")
+    return lambda: none if (value := read(firing)) is None else value
 
 
 # --- what the sheet says of them --------------------------------------------------------------------------------------
