@@ -7,7 +7,7 @@ from rcj_challenges.rules.actions.count import change_kept
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import Writes
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrasing import listed, quoted_measure
+from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_COUNTER, WRITTEN_FLAG, WRITTEN_SEQUENCE
 
 
@@ -89,12 +89,5 @@ expect:
         return tuple(Writes(f"{kind}s", name) for kind, name in self._named())
 
     def describe(self, phrases: Phrases) -> str:
-        reset = [self._one(phrases, kind, name) for kind, name in self._named()]
+        reset = [phrases.every_kept(kind, name, self.entity) for kind, name in self._named()]
         return f"{listed(reset, 'and')} {'start' if len(reset) > 1 else 'starts'} again"
-
-    def _one(self, phrases: Phrases, kind: str, name: str) -> str:
-        """Return one of what is reset in words: ``its flag “out”``, ``the counter “laps” of the robots``."""
-        owners = self.entity or phrases.one_of_owners(kind, name)
-        if owners is None or owners == "each":
-            return phrases.kept(kind, name, owners)
-        return f"the {kind} {quoted_measure(name)} of {phrases.all_of(owners).text}"
