@@ -161,20 +161,10 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Exit:
-    """An entity leaves a zone."""
+class Passage:
+    """An entity leaves a zone, or crosses a gate."""
 
     entity: Names
-    zone: Names
-
-
-@dataclass(frozen=True)
-class Crossing:
-    """An entity crosses a gate, ``forward``, ``backward`` or ``either``."""
-
-    entity: Names
-    gate: Names
-    direction: str
 
 
 @dataclass(frozen=True)
@@ -185,7 +175,7 @@ class Touch:
     other: Names
 
 
-Moment = HalfStart | PhaseStart | AtTime | EventSeen | Entry | Exit | Crossing | Touch
+Moment = HalfStart | PhaseStart | AtTime | EventSeen | Entry | Passage | Touch
 
 _T = TypeVar("_T")
 

@@ -59,8 +59,7 @@ class Tracker:
         return self.phases is None or phase in self.phases
 
     def reset(self) -> None:
-        """Forget the past: what is true now was true before."""
-        raise NotImplementedError
+        """Forget the past: what is true now was true before; by default there is none."""
 
     def moved(self) -> None:
         """React to one of its entities being put elsewhere or taken off: by default it is reset."""

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
-from rcj_challenges.rules.effects import Crossing
+from rcj_challenges.rules.effects import Passage
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, GATES
 from rcj_challenges.tracking.bound_rules import TriggerBinding
@@ -24,7 +24,7 @@ class Crosses(Trigger):
     )
     direction: Literal["forward", "backward", "either"] = described("either", "direction of the crossing")
 
-    MOMENT = Crossing
+    MOMENT = Passage
     EXAMPLE = """
 gates:
   # Seen from one post to the other, forward is from the right to the left: here towards +y.
@@ -80,9 +80,6 @@ class GateTracker(PositionTracker):
         self.by_direction: dict[int, list[TriggerBinding]] = {1: [], -1: []}
         self._gate = gate
         self._name, self._draw = name, draw
-
-    def reset(self) -> None:
-        """Do nothing: a way begins where the entity is."""
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a cell that the gate does not reach into."""

@@ -3,7 +3,7 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
-from rcj_challenges.rules.effects import Exit
+from rcj_challenges.rules.effects import Passage
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.rules.triggers.enters import zone_tracker
@@ -19,7 +19,7 @@ class Leaves(Trigger):
     )
 
     REASON = "left {zone}"
-    MOMENT = Exit
+    MOMENT = Passage
     EXAMPLE = """
 rules:
   out:

@@ -123,9 +123,6 @@ class TouchTracker(TickTracker):
         self._contacts = state.contacts
         self._apart = apart
 
-    def reset(self) -> None:
-        """Do nothing: what touches is remembered by the contacts."""
-
     def update(self) -> None:
         for pair, gap in self._contacts.fresh:
             if gap >= self._apart:

@@ -105,7 +105,7 @@ class ScoresOnce(LintRule, code="scores-once"):
                 continue
             for trigger, path in triggers_in(name, rule):
                 match trigger.moment():
-                    case effects.Entry(moved) | effects.Exit(moved) | effects.Crossing(moved):
+                    case effects.Entry(moved) | effects.Passage(moved):
                         if moved not in ctx.roster.roles and len(ctx.members(moved, rule)) > 1:
                             yield self.at(path, group=listing(as_tuple(moved)))
 
