@@ -43,7 +43,7 @@ def assemble(context: CompileContext) -> None:
 def _run_while(condition: Condition, clocks: dict[str | None, Clock], per: str | None, context: CompileContext) -> None:
     """Let the clocks of a timer run while a condition holds, each for its owner."""
     for owner, clock in clocks.items():
-        binder = RuleBinder(context, BoundRule("", owner, None, None, None, None, ""), per)
+        binder = RuleBinder(context, BoundRule("", owner), per)
         test = condition.compile(binder)
         context.track(RunsWhile, None, None, clock, test, context.trackers.reschedule)
 
@@ -74,7 +74,6 @@ def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext
         entrant=entrant,
         phases=None if rule.phases == "any" else frozenset(rule.phases),
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
-        cooldown_s=None,
         max_executions=most,
         says=fill_params(rule, context.scenario.params, rule.says),
         priority=rule.priority,

@@ -50,12 +50,12 @@ class BoundRule:
     """
 
     name: str
-    each: str | None
-    phases: frozenset[str] | None
-    exclusive: tuple[str, str | None] | None
-    cooldown_s: Reader | None
-    max_executions: int | None
-    says: str
+    each: str | None = None
+    phases: frozenset[str] | None = None
+    exclusive: tuple[str, str | None] | None = None
+    cooldown_s: Reader | None = None
+    max_executions: int | None = None
+    says: str = ""
     priority: int = 0
     rank: int = 0
     tests: tuple[Test, ...] = ()
@@ -114,7 +114,7 @@ class Firing:
         return self.rule.each if self.rule.about is None else None
 
 
-NO_FIRING = Firing(BoundRule("", None, None, None, None, None, ""), None, "")
+NO_FIRING = Firing(BoundRule(""), None, "")
 """What belongs to no rule and to no entity reads values with it: the broadcast, lengths of timers and phases."""
 
 

@@ -103,7 +103,3 @@ class Target:
     away_m: Callable[[float, float], float | None]
     place: Callable[[], tuple[float, ...] | None] | None
     entity: int | None = None
-
-    def is_with(self, entity: int | None) -> bool:
-        """Return whether it is this entity, or moves with it: nothing is measured from itself."""
-        return entity is not None and self.entity == entity

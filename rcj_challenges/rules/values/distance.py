@@ -69,7 +69,7 @@ expect:
             (one.place, other.away_m)
             for one in here
             for other in there
-            if one.place is not None and not other.is_with(one.entity)
+            if one.place is not None and (other.entity is None or other.entity != one.entity)
         ]
 
         def read(_firing: Firing) -> float | None:
