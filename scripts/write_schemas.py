@@ -23,7 +23,8 @@ FOLDER = Path(__file__).parents[1] / "schemas"
 def check_text() -> str:
     """Return the schema of ``check --json``."""
     schema = CheckReport.model_json_schema(mode="serialization")
-    del schema["$defs"]["Diagnostic"]["properties"]["level"]["default"]
+    for name in ("level", "repair"):
+        del schema["$defs"]["Diagnostic"]["properties"][name]["default"]
     return _written(schema)
 
 

@@ -8,7 +8,6 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.checker import codes
 from rcj_challenges.checker.images import Picture, identify
-from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, LogoError, checked_png
 from rcj_challenges.submissions.problems import safe_text
@@ -50,7 +49,7 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     if path != PurePosixPath(LOGO_FILE):
         message = f"the logo is {safe_text(path)}" + ("" if taken else ", which is not shown")
         help_ = f"call it {LOGO_FILE} and put it beside the programs' folders"
-        findings.append(_warning(codes.IDENTITY_LOGO_FILE, message, help_, path))
+        findings.append(Diagnostic(codes.IDENTITY_LOGO_FILE, message, help_, safe_text(path)))
     data = files[path]
     shown = None
     try:
@@ -61,10 +60,6 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     else:
         findings += _accepted(path, identify(data))
     return Logo(path, shown, tuple(findings))
-
-
-def _warning(code: Code, message: str, help_: str, path: PurePosixPath) -> Diagnostic:
-    return Diagnostic(code, message, help_, safe_text(path), repair=True)
 
 
 def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:
@@ -78,30 +73,26 @@ def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: 
     """Return why a logo is not shown."""
     name = safe_text(path)
     if picture is None:
-        return _warning(codes.IDENTITY_LOGO_NO_PICTURE, f"{name} is no picture: {reason}", _AS_PNG, path)
+        return Diagnostic(codes.IDENTITY_LOGO_NO_PICTURE, f"{name} is no picture: {reason}", _AS_PNG, name)
     if picture.kind != "PNG":
-        return _warning(
-            codes.IDENTITY_LOGO_TYPE, f"{name} is a {picture.kind}, not a PNG, and is not shown", _AS_PNG, path
-        )
+        message = f"{name} is a {picture.kind}, not a PNG, and is not shown"
+        return Diagnostic(codes.IDENTITY_LOGO_TYPE, message, _AS_PNG, name)
     if max(picture.width, picture.height) > MAX_LOGO_SIDE:
         message = f"{name} has {picture.width} x {picture.height} pixels and is not shown"
-        return _warning(
-            codes.IDENTITY_LOGO_SIZE, message, f"make it at most {MAX_LOGO_SIDE} pixels wide and high", path
-        )
+        help_ = f"make it at most {MAX_LOGO_SIDE} pixels wide and high"
+        return Diagnostic(codes.IDENTITY_LOGO_SIZE, message, help_, name)
     if len(data) > MAX_LOGO_BYTES:
         message = f"{name} has {len(data) / 1e6:.1f} MB and is not shown"
-        return _warning(codes.IDENTITY_LOGO_BYTES, message, f"make it at most {MAX_LOGO_BYTES / 1e6:.0f} MB", path)
-    return _warning(codes.IDENTITY_LOGO_DAMAGED, f"{name} is not shown: {reason}", _AS_PNG, path)
+        help_ = f"make it at most {MAX_LOGO_BYTES / 1e6:.0f} MB"
+        return Diagnostic(codes.IDENTITY_LOGO_BYTES, message, help_, name)
+    return Diagnostic(codes.IDENTITY_LOGO_DAMAGED, f"{name} is not shown: {reason}", _AS_PNG, name)
 
 
 def _accepted(path: PurePosixPath, picture: Picture | None) -> list[Diagnostic]:
     if picture is None or path.name.casefold() != LOGO_FILE:
         return []
     if picture.animated:
-        return [
-            _warning(
-                codes.IDENTITY_LOGO_ANIMATED, f"{safe_text(path)} moves: only its first picture is shown", _AS_PNG, path
-            )
-        ]
+        message = f"{safe_text(path)} moves: only its first picture is shown"
+        return [Diagnostic(codes.IDENTITY_LOGO_ANIMATED, message, _AS_PNG, safe_text(path))]
     message = f"the logo has {picture.width} x {picture.height} pixels"
     return [Diagnostic(codes.IDENTITY_LOGO, message, where=safe_text(path))]

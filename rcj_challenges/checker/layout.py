@@ -10,7 +10,6 @@ from rcj_challenges.checker import codes
 from rcj_challenges.checker.others import suggest_scenarios
 from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
 from rcj_challenges.checker.similar_names import BLANK, alike, like_an_entry, mentioned
-from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.grouping import grouped
 from rcj_challenges.scenario.models.robots import Entrant
@@ -73,24 +72,22 @@ def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant
 def _folder_findings(opening: Opening) -> list[Diagnostic]:
     if opening.contents.kind == "program":
         message = f"a single program drives all robots: {safe_text(next(iter(opening.files), ''))}"
-        return [Diagnostic(codes.LAYOUT_SINGLE_PROGRAM, message, "a submission is a ZIP", repair=True)]
+        return [Diagnostic(codes.LAYOUT_SINGLE_PROGRAM, message, "a submission is a ZIP")]
     if opening.contents.kind != "zip":
         return []
     top, found = opening.top, []
-
-    def warn(code: Code, message: str, help_: str, where: str = "") -> None:
-        found.append(Diagnostic(code, message, help_, where, repair=True))
-
     if opening.within is not None and not top.parts:
         message = f"the programs are not in a folder {safe_text(opening.within)}"
-        warn(codes.LAYOUT_NO_FOLDER, message, "pack that folder, not only what is in it")
+        found.append(Diagnostic(codes.LAYOUT_NO_FOLDER, message, "pack that folder, not only what is in it"))
     elif opening.within is not None:
         message = f"the folder of the programs is called {safe_text(top.name)}"
-        warn(codes.LAYOUT_FOLDER_NAME, message, f"call it {safe_text(opening.within)}", safe_text(top))
+        help_ = f"call it {safe_text(opening.within)}"
+        found.append(Diagnostic(codes.LAYOUT_FOLDER_NAME, message, help_, safe_text(top)))
         top = top.parent
     if top.parts:
         message = f"everything lies in an extra folder: {safe_text(top)}"
-        warn(codes.LAYOUT_TOP_FOLDER, message, "pack what is in it, not the folder itself", safe_text(top))
+        help_ = "pack what is in it, not the folder itself"
+        found.append(Diagnostic(codes.LAYOUT_TOP_FOLDER, message, help_, safe_text(top)))
     return found
 
 

@@ -91,7 +91,7 @@ class Diagnostic:
         where: the place: in a file, in a match, or the file or the robots of a submission as text; empty if there is
             none.
         level: how serious it is; that of the code, unless it is given.
-        repair: whether ``check --fix`` repairs it.
+        repair: whether ``check --fix`` repairs it; as of the code, unless it is given.
         details: more lines, such as a traceback; usually empty.
     """
 
@@ -100,13 +100,15 @@ class Diagnostic:
     help: str = ""
     where: InFile | InMatch | str = ""
     level: Level = None  # type: ignore[assignment]  # until it is made
-    repair: bool = False
+    repair: bool = None  # type: ignore[assignment]  # until it is made
     details: str = ""
 
     def __post_init__(self) -> None:
-        """Take the level from the code."""
+        """Take from the code what was not given."""
         if self.level is None:
             object.__setattr__(self, "level", self.code.level)
+        if self.repair is None:
+            object.__setattr__(self, "repair", self.code.repair != "no")
 
     def __str__(self) -> str:
         lines = [f"{self.level}[{self.code}]: {sanitize(self.message, _MAX_CHARACTERS)}"]

@@ -316,19 +316,19 @@ class _ZipReading:
                 path = path_of(entry.name)
                 folders.add(path if entry.is_folder else path.parent)
 
-    def _refuse(self, code: Code, message: str, help_: str, where: str = "", *, repair: bool = False) -> None:
-        self._problems.add(Diagnostic(code, message, help_, where, repair=repair))
+    def _report(self, code: Code, message: str, help_: str = "", where: str = "") -> None:
+        self._problems.add(Diagnostic(code, message, help_, where))
 
     def _read_all(self, entries: list[zip_reader.Entry]) -> None:
         if len(entries) > MAX_FILES:
             self._complete = False
             help_ = "pack the folder of the robot programs only"
-            self._refuse(codes.ARCHIVE_TOO_MANY, f"the archive has more than {MAX_FILES} files", help_)
+            self._report(codes.ARCHIVE_TOO_MANY, f"the archive has more than {MAX_FILES} files", help_)
             return
         if any("\\" in entry.name for entry in entries):
             message = "folders and files are separated by backslashes, which few programs understand"
             help_ = "pack the folder again with another program"
-            self._problems.add(Diagnostic(codes.ARCHIVE_BACKSLASHES, message, help_, repair=True))
+            self._report(codes.ARCHIVE_BACKSLASHES, message, help_)
         for entry in entries:
             try:
                 self._read(entry)
@@ -347,27 +347,26 @@ class _ZipReading:
         message = f"unpacked, it is more than {self._most // 1_000_000} MB"
         if self._most < MAX_UNPACKED_BYTES:
             message += f" and more than {MAX_RATIO} times its size"
-        self._refuse(codes.ARCHIVE_BOMB, message, "leave out what the programs do not need", where)
+        self._report(codes.ARCHIVE_BOMB, message, "leave out what the programs do not need", where)
 
     def _read(self, entry: zip_reader.Entry) -> None:
         shown = safe_text(entry.name)
         if entry.encrypted:
             self._complete = False
-            self._refuse(codes.ARCHIVE_ENCRYPTED, f"'{shown}' is encrypted", "pack the ZIP without a password", shown)
+            self._report(codes.ARCHIVE_ENCRYPTED, f"'{shown}' is encrypted", "pack the ZIP without a password", shown)
             return
         if entry.special:
-            self._refuse(codes.ARCHIVE_LINK, f"'{shown}' is a link or a device", "pack the file itself", shown)
+            self._report(codes.ARCHIVE_LINK, f"'{shown}' is a link or a device", "pack the file itself", shown)
             return
         if entry.unknown_method:
             self._complete = False
             message = f"'{shown}' is packed in a way that not every program can unpack ({entry.unknown_method})"
-            self._refuse(codes.ARCHIVE_METHOD, message, "pack the folder again, as an ordinary ZIP archive", shown)
+            self._report(codes.ARCHIVE_METHOD, message, "pack the folder again, as an ordinary ZIP archive", shown)
             return
         content, lie = zip_reader.unpack(self._data, entry, self._left)
         self._left -= len(content)
         if lie:
-            help_ = "pack the folder again"
-            self._problems.add(Diagnostic(codes.ARCHIVE_HEADERS, lie, help_, shown, repair=True))
+            self._report(codes.ARCHIVE_HEADERS, lie, "pack the folder again", shown)
         self._take(entry.name, content)
 
     def _take(self, name: str, content: bytes) -> None:
@@ -380,7 +379,8 @@ class _ZipReading:
         elif path in self._files and self._paths[folded(path)] == spelled:
             same = self._files[path] == content
             message = f"'{safe_text(path)}' is in the archive twice" + ("" if same else ", with different contents")
-            self._refuse(codes.ARCHIVE_DUPLICATE, message, "keep one of them", safe_text(path), repair=same)
+            duplicate = Diagnostic(codes.ARCHIVE_DUPLICATE, message, "keep one of them", safe_text(path), repair=same)
+            self._problems.add(duplicate)
         elif self._fits(spelled):
             self._files[path] = content
 
@@ -390,7 +390,7 @@ class _ZipReading:
             other = self._paths.setdefault(folded(place), place)
             if other != place:
                 message = f"{safe_text(place)} and {safe_text(other)} are one file on some computers"
-                self._refuse(codes.ARCHIVE_COLLISION, message, "rename one", safe_text(place))
+                self._report(codes.ARCHIVE_COLLISION, message, "rename one", safe_text(place))
                 return False
         return True
 
@@ -398,14 +398,13 @@ class _ZipReading:
         for path in [path for path in self._files if not self._files.keys().isdisjoint(path.parents)]:
             del self._files[path]
             message = f"{safe_text(path)} lies in a folder that is a file as well"
-            self._refuse(codes.ARCHIVE_COLLISION, message, "rename one", safe_text(path))
+            self._report(codes.ARCHIVE_COLLISION, message, "rename one", safe_text(path))
 
     def _report_leftovers(self, entries: list[zip_reader.Entry]) -> None:
         if not entries:
             return
         message = f"other programs left behind what is not used: {_some(entries)}"
-        help_ = "delete them before packing"
-        self._problems.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, repair=True))
+        self._report(codes.ARCHIVE_LEFTOVERS, message, "delete them before packing")
 
     def _without_records(self, entries: list[zip_reader.Entry]) -> list[zip_reader.Entry]:
         """Leave out records of runs, and report them: they get packed with a team's working folder."""
@@ -413,8 +412,8 @@ class _ZipReading:
         files, folders = ([path_of(entry.name) for entry in short if entry.is_folder is kind] for kind in (False, True))
         records = record_folders(files, folders)
         for record in sorted(records):
-            message, help_ = f"{safe_text(record)} is the record of a run: it is not used", "delete it before packing"
-            self._problems.add(Diagnostic(codes.ARCHIVE_LEFTOVERS, message, help_, safe_text(record), repair=True))
+            message = f"{safe_text(record)} is the record of a run: it is not used"
+            self._report(codes.ARCHIVE_LEFTOVERS, message, "delete it before packing", safe_text(record))
         of_records = {
             entry.name for entry in short if not records.isdisjoint([path_of(entry.name), *path_of(entry.name).parents])
         }
@@ -425,7 +424,7 @@ class _ZipReading:
             return
         message = f"the archive does not say how its names are encoded; they may be read wrongly: {_some(entries)}"
         help_ = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
-        self._problems.add(Diagnostic(codes.ARCHIVE_NAME_GUESSED, message, help_))
+        self._report(codes.ARCHIVE_NAME_GUESSED, message, help_)
 
     def _report_folders(self, entries: list[zip_reader.Entry]) -> None:
         for entry in entries:
@@ -434,14 +433,14 @@ class _ZipReading:
                     # A folder without its files is not missed.
                     self._problems.add(replace(problem, code=codes.ARCHIVE_OUTSIDE_FOLDER, repair=True))
             if entry.special:
-                self._refuse(
+                self._report(
                     codes.ARCHIVE_LINK, f"'{safe_text(entry.name)}' is a link or a device", "pack the folder itself"
                 )
         have = {path_of(entry.name) for entry in entries}
         needed = {parent for path in self._files for parent in list(path.parents)[:-1]}
         if needed - have:
             message = "the archive has no entries of their own for its folders, which does no harm"
-            self._problems.add(Diagnostic(codes.ARCHIVE_NO_FOLDERS, message, repair=True))
+            self._report(codes.ARCHIVE_NO_FOLDERS, message)
 
 
 def _some(entries: list[zip_reader.Entry]) -> str:

@@ -57,7 +57,7 @@ def find_team_name(files: Files, fallback: str) -> TeamName:
     name = safe_name(lines[0]) if lines else ""
     if not name:
         message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
-        more = (*more, _warning(codes.IDENTITY_NAME_EMPTY, message, "write the team's name into it", repair=False))
+        more = (*more, _problem(codes.IDENTITY_NAME_EMPTY, message, "write the team's name into it"))
         return TeamName(instead, path, given=False, problems=(*problems, *more))
     about = _line_problems(lines, name)
     if any(problem.code == "identity.name_encoding" for problem in more):
@@ -78,12 +78,8 @@ def safe_name(text: str) -> str:
     return name if any(character != _JOINER and unicodedata.category(character)[0] != "M" for character in name) else ""
 
 
-def _warning(code: Code, message: str, help_: str, *, repair: bool = True) -> Diagnostic:
-    return Diagnostic(code, message, help_, NAME_FILE, repair=repair)
-
-
-def _note(code: Code, message: str, *, repair: bool = False) -> Diagnostic:
-    return Diagnostic(code, message, where=NAME_FILE, repair=repair)
+def _problem(code: Code, message: str, help_: str = "") -> Diagnostic:
+    return Diagnostic(code, message, help_, NAME_FILE)
 
 
 def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Diagnostic, ...]]:
@@ -98,19 +94,13 @@ def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Diagnostic, ..
             message, help_ = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
         else:
             message, help_ = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
-        return path, (Diagnostic(codes.IDENTITY_NAME_FILE, message, help_, shown, repair=True),)
+        return path, (Diagnostic(codes.IDENTITY_NAME_FILE, message, help_, shown),)
     document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
     if document is not None:
         message = f"{safe_text(document)} is not plain text: the name is taken from the file's"
-        return None, (
-            _warning(
-                codes.IDENTITY_NAME_DOCUMENT, message, f"save the name as plain text in {NAME_FILE}", repair=False
-            ),
-        )
+        return None, (_problem(codes.IDENTITY_NAME_DOCUMENT, message, f"save the name as plain text in {NAME_FILE}"),)
     message = f"there is no {NAME_FILE}: the name is taken from the file's"
-    return None, (
-        _warning(codes.IDENTITY_NAME_MISSING, message, "add it, with the team's name in one line", repair=False),
-    )
+    return None, (_problem(codes.IDENTITY_NAME_MISSING, message, "add it, with the team's name in one line"),)
 
 
 def may_be_name_file(path: PurePosixPath) -> bool:
@@ -137,25 +127,23 @@ def _decoded(content: bytes) -> tuple[str, tuple[Diagnostic, ...]]:
     problems = []
     if marked:
         message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
-        problems.append(_note(codes.IDENTITY_NAME_UTF16, message, repair=True))
+        problems.append(_problem(codes.IDENTITY_NAME_UTF16, message))
     elif "\ufffd" in text and "\ufffd".encode() not in content:
         # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
         if any(character > "\x7f" for character in text.replace("\ufffd", "")):
             message = f"{NAME_FILE} is not in UTF-8: characters that cannot be read are shown as \ufffd"
-            problems.append(_warning(codes.IDENTITY_NAME_ENCODING, message, "save it in UTF-8", repair=False))
+            problems.append(_problem(codes.IDENTITY_NAME_ENCODING, message, "save it in UTF-8"))
         else:
             text = content.decode("cp1252", "replace")
             message = f"{NAME_FILE} is not in UTF-8: it was read as Windows-1252, the letters of Western Europe"
             help_ = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
-            problems.append(
-                _warning(codes.IDENTITY_NAME_ENCODING, f"{message}, which may be wrong", help_, repair=False)
-            )
+            problems.append(_problem(codes.IDENTITY_NAME_ENCODING, f"{message}, which may be wrong", help_))
     elif content.startswith(codecs.BOM_UTF8):
         message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
-        problems.append(_note(codes.IDENTITY_NAME_BOM, message, repair=True))
+        problems.append(_problem(codes.IDENTITY_NAME_BOM, message))
     if "\r" in text:
         message = f"{NAME_FILE} has the line ends of Windows, which are not part of the name"
-        problems.append(_note(codes.IDENTITY_NAME_LINE_ENDS, message, repair=True))
+        problems.append(_problem(codes.IDENTITY_NAME_LINE_ENDS, message))
     return text, tuple(problems)
 
 
@@ -164,21 +152,21 @@ def _line_problems(lines: list[str], name: str) -> list[Diagnostic]:
     found = []
     if len(lines) > 1:
         message = f"{NAME_FILE} has several lines: the first is the name ({name})"
-        found.append(_warning(codes.IDENTITY_NAME_LINES, message, "leave one line"))
+        found.append(_problem(codes.IDENTITY_NAME_LINES, message, "leave one line"))
     if len(line) > MAX_NAME_CHARACTERS:
         message = f"the name is longer than {MAX_NAME_CHARACTERS} characters and is shown as '{name}'"
-        found.append(_warning(codes.IDENTITY_NAME_LONG, message, "choose a shorter one"))
+        found.append(_problem(codes.IDENTITY_NAME_LONG, message, "choose a shorter one"))
     if safe_name(line[:MAX_NAME_CHARACTERS]) != line[:MAX_NAME_CHARACTERS].rstrip():
         message = f"the name in {NAME_FILE} has characters that cannot be seen; it is shown as '{name}'"
         found.append(
-            _warning(
+            _problem(
                 codes.IDENTITY_NAME_UNSAFE, message, f"write it with at most {MAX_NAME_CHARACTERS} printable characters"
             )
         )
     if name[0] in _QUOTES or name[-1] in _QUOTES:
-        found.append(_note(codes.IDENTITY_NAME_QUOTES, f"the quotation marks are part of the name: {name}"))
+        found.append(_problem(codes.IDENTITY_NAME_QUOTES, f"the quotation marks are part of the name: {name}"))
     elif any(character in "./\\<>&!;:|" for character in name):
         found.append(
-            _note(codes.IDENTITY_NAME_SIGNS, f"the name is shown as it is, and no file is named after it: {name}")
+            _problem(codes.IDENTITY_NAME_SIGNS, f"the name is shown as it is, and no file is named after it: {name}")
         )
     return found

@@ -121,7 +121,7 @@ def read_entries(data: bytes, problems: Problems) -> list[Entry]:
     entries = list(_entries(data, bounds))
     if len(entries) != bounds.count:
         message = f"the archive says it has {counted(bounds.count, 'entry', 'entries')}, and has {len(entries)}"
-        problems.add(Diagnostic(codes.ARCHIVE_HEADERS, message, _PACK_AGAIN, repair=True))
+        problems.add(Diagnostic(codes.ARCHIVE_HEADERS, message, _PACK_AGAIN))
     _check_overlap(entries, bounds)
     return entries
 
@@ -210,12 +210,12 @@ def _bounds_at(data: bytes, at: int, problems: Problems) -> _Bounds | None:
     rest = len(data) - (at + _END.size + comment)
     if rest:
         message = _stray(rest, "follows", "follow")
-        problems.add(Diagnostic(codes.ARCHIVE_TRAILING, message, _PACK_AGAIN, repair=True))
+        problems.add(Diagnostic(codes.ARCHIVE_TRAILING, message, _PACK_AGAIN))
     if offset < start and data.startswith(b"PK\x03\x04"):
         raise UnreadableError(codes.ARCHIVE_TWO, "these are two archives in one file", _PACK_AGAIN)
     if offset < start:
         message = _stray(start - offset, "stands before", "stand before")
-        problems.add(Diagnostic(codes.ARCHIVE_PREPENDED, message, _PACK_AGAIN, repair=True))
+        problems.add(Diagnostic(codes.ARCHIVE_PREPENDED, message, _PACK_AGAIN))
     return _Bounds(start, end, start - offset, count)
 
 
