@@ -23,18 +23,12 @@ class Output:
         """
         self.printed_bytes = 0
         self._names = [(os.fsencode(path), os.fsencode(short)) for path, short in names]
-        self._limit_bytes = limit_bytes
-        self._on_flood = on_flood
+        self.limit_bytes = limit_bytes
+        self.on_flood = on_flood
         sys.stdout = self._stream(1)
         sys.stderr = self._stream(2)
         for name in ("stdout", "stderr"):
             setattr(sys, f"__{name}__", getattr(sys, name))
-
-    def room_for(self, size: int) -> int:
-        """Count ``size`` more bytes; return how many of them may still be written."""
-        room = self._limit_bytes - self.printed_bytes
-        self.printed_bytes += size
-        return min(size, room)
 
     def with_short_paths(self, data: bytes | memoryview) -> bytes | memoryview:
         """Return printed text with short names of folders."""
@@ -43,10 +37,6 @@ class Output:
             if path in text:
                 text = data = text.replace(path, short)
         return data
-
-    def flooded(self) -> None:
-        """More was printed than the limit allows: this ends the program, and no ``except`` of it can help."""
-        self._on_flood()
 
     def _stream(self, fd: int) -> io.TextIOWrapper:
         # Straight onto the file, as `python -u` does: a line is in the log as soon as it is printed, whatever follows.
@@ -63,13 +53,13 @@ class _CountedFile(io.FileIO):
         self._output = output
 
     def write(self, data: Any, /) -> int:
-        given = memoryview(data).cast("B")
-        view = self._output.with_short_paths(given)
-        size = len(view)
-        room = self._output.room_for(size)
+        output, given = self._output, memoryview(data).cast("B")
+        view = output.with_short_paths(given)
+        size, room = len(view), output.limit_bytes - output.printed_bytes
+        output.printed_bytes += size
         if room < size:
             super().write(view[: max(room, 0)])
-            self._output.flooded()
+            output.on_flood()  # this ends the program, and no `except` of it can help
         at = 0
         while at < size:
             at += super().write(view[at:]) or 0
