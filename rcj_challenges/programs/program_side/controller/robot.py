@@ -231,12 +231,6 @@ class Robot:
             self._rcj_inputs[kind] = getattr(_placeholders, kind)()
         return self._rcj_inputs[kind]
 
-    def _rcj_legacy(self, kind: str, name: str) -> Any:
-        if kind not in self._rcj_warned_about:
-            self._rcj_warned_about.add(kind)
-            complain(f"DEPRECATION: Robot.get{kind} is deprecated, please use Robot.getDevice instead.")
-        return device_of(self._rcj_connection, name, "Motor" if kind == "Servo" else kind)
-
     name = ReadOnly(getName)
     time = ReadOnly(getTime)
     basic_time_step = ReadOnly(getBasicTimeStep)
@@ -268,7 +262,10 @@ def _getter_of_old(kind: str) -> Callable[[Robot, str], Any]:
     """Return ``getMotor``, ``getReceiver`` … of the years before 2020."""
 
     def get(self: Robot, name: str) -> Any:
-        return self._rcj_legacy(kind, name)
+        if kind not in self._rcj_warned_about:
+            self._rcj_warned_about.add(kind)
+            complain(f"DEPRECATION: Robot.get{kind} is deprecated, please use Robot.getDevice instead.")
+        return device_of(self._rcj_connection, name, "Motor" if kind == "Servo" else kind)
 
     get.__name__ = f"get{kind}"
     get.__doc__ = f"Return the {kind} of that name, with a deprecation note; None, with a message, if there is none."
