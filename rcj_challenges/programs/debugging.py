@@ -7,19 +7,19 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.programs.assignment import Assignment
+from rcj_challenges.submissions.team import Team
 
 PORT = 5678
 """The one that editors suggest."""
 
 
-def program_place(assignment: Assignment, unpacked: Path) -> tuple[Path, Path]:
+def program_place(team: Team, entry: str, unpacked: Path, *, is_debugged: bool) -> tuple[Path, Path]:
     """Return the folder of the team's files, which are unpacked in ``unpacked``, and the path of the program.
 
     A debugged program of a team that is a folder runs in that folder, where an editor has its breakpoints.
     """
-    own = assignment.team.place_on_disk(assignment.entry) if assignment.is_debugged else None
-    return own or (unpacked, unpacked.joinpath(*assignment.entry.split("/")))
+    own = team.place_on_disk(entry) if is_debugged else None
+    return own or (unpacked, unpacked.joinpath(*entry.split("/")))
 
 
 def debugger_settings() -> dict[str, Any] | None:

@@ -11,8 +11,8 @@ from typing import Self
 from rcj_challenges.core.temporary_folder import temporary_folder_error
 from rcj_challenges.core.traffic import Observation, RobotSpec
 from rcj_challenges.programs import scratch
-from rcj_challenges.programs.assignment import Assignment, PoolPlan
 from rcj_challenges.programs.isolation import active_layers
+from rcj_challenges.programs.plan import PoolPlan
 from rcj_challenges.programs.private_folders import PrivateFolders, remove_left_overs_once
 from rcj_challenges.programs.program import CLEAN_UP_S, Program, Sharing
 from rcj_challenges.programs.timed_channel import WaitBudget
@@ -41,7 +41,7 @@ class ProgramPool:
 
     def add(self, spec: RobotSpec, team: Team, entry: str) -> Program:
         """Add a robot's program, the file ``entry`` of the team (`Team.entries`); `launch` starts it."""
-        program = self.programs[spec.name] = Program(Assignment(spec, team, entry, self._plan))
+        program = self.programs[spec.name] = Program(spec, team, entry, self._plan)
         return program
 
     def launch(self) -> None:

@@ -18,15 +18,16 @@ from rcj_challenges.core.play import Fault
 from rcj_challenges.core.streams import stream_seed
 from rcj_challenges.core.temporary_folder import disk_full_error
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.core.traffic import Note, Observation, Request
+from rcj_challenges.core.traffic import Note, Observation, Request, RobotSpec
 from rcj_challenges.programs import debugging, isolation, processes, scratch
-from rcj_challenges.programs.assignment import Assignment
 from rcj_challenges.programs.codes import CANNOT_START_PROGRAM
 from rcj_challenges.programs.log import ProgramLog
 from rcj_challenges.programs.pipes import ChannelClosedError, FrameTooLongError, open_channel
+from rcj_challenges.programs.plan import PoolPlan
 from rcj_challenges.programs.protocol import Codec, Ended, ProtocolError, hello_frame, max_frame_bytes, one_line
 from rcj_challenges.programs.time_budget import MEASURED_AFTER_S, TimeBudget, TimeLimits
 from rcj_challenges.programs.timed_channel import TimedChannel, WaitBudget, wait_together
+from rcj_challenges.submissions.team import Team
 
 CLEAN_UP_S = 1.0
 """How long a program may go on after its ``step`` returned -1 (reference, section 3)."""
@@ -70,14 +71,21 @@ class Sharing:
 
 
 class Program:
-    """A team's program in its own process. After its first `Fault` it is gone until the next half."""
+    """A team's program in its own process. After its first `Fault` it is gone until the next half.
 
-    def __init__(self, assignment: Assignment) -> None:
-        self._assignment = assignment
-        self._limits = assignment.plan.limits
-        self._is_debugged = assignment.is_debugged
+    Attributes:
+        name: of the robot.
+        requests: the number of its calls of ``step``.
+    """
+
+    def __init__(self, spec: RobotSpec, team: Team, entry: str, plan: PoolPlan) -> None:
+        """Prepare the program that is the file ``entry`` of the team (`Team.entries`)."""
+        self.name = spec.name
+        self._spec, self._team, self._entry, self._plan = spec, team, entry, plan
+        self._limits = plan.limits
+        self._is_debugged = spec.name in plan.debug
         message_bytes = isolation.message_bytes(self._limits)
-        self._codec = Codec(assignment.spec, message_bytes)
+        self._codec = Codec(spec, message_bytes)
         self._frame_limit = max_frame_bytes(message_bytes)
         limits = TimeLimits(self._limits.start_s, self._limits.step_s, self._limits.half_s)
         self.budget = TimeBudget(
@@ -86,8 +94,8 @@ class Program:
             lambda thread: self._process is not None and self._process.is_runnable(thread),
         )
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
-        self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
-        self._portable = processes.NEEDS_LIFELINE if assignment.plan.portable is None else assignment.plan.portable
+        self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + sum(map(len, team.files.values()))
+        self._portable = processes.NEEDS_LIFELINE if plan.portable is None else plan.portable
         self._sharing = Sharing(Path(), math.inf, (), WaitBudget(math.inf))
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
@@ -96,19 +104,9 @@ class Program:
         self._channel: TimedChannel | None = None
         self._lifeline_fd: int | None = None
         self._tick = 0
-        self._requests = 0
+        self.requests = 0
         self._is_over = self._is_suspended = False
         self.fault: Fault | None = None
-
-    @property
-    def name(self) -> str:
-        """The robot's name."""
-        return self._assignment.spec.name
-
-    @property
-    def requests(self) -> int:
-        """The number of its calls of ``step``."""
-        return self._requests
 
     @property
     def notes(self) -> tuple[Note, ...]:
@@ -123,11 +121,11 @@ class Program:
             OSError: the log cannot be written.
             HostError: this computer cannot start one more program.
         """
-        plan = self._assignment.plan
+        plan = self._plan
         layers = isolation.active_layers("off" if self._is_debugged else plan.sandbox)
         self._sharing, place = sharing, sharing.place
         self._log = ProgramLog(plan.logs / f"{self.name}.log", self._output_limit, place)
-        self._append_log(f"--- half {plan.half}: {self._assignment.entry} ---\n")
+        self._append_log(f"--- half {plan.half}: {self._entry} ---\n")
         try:
             self._start(layers, self._log.fd, place)
         except (OSError, ValueError, RcjError) as error:
@@ -160,7 +158,7 @@ class Program:
         if channel is None:
             return self.fault or self._fail("start", "the program was not started")
         try:
-            body = channel.receive_before_measuring() if self._requests else None
+            body = channel.receive_before_measuring() if self.requests else None
             if body is None:
                 body = self._wait(channel)
             return self._too_slow() if body is None else self._accepted(self._codec.decode(body, self._tick))
@@ -170,7 +168,7 @@ class Program:
     def collect_soon(self) -> Request | Fault | None:
         """Return the result of `collect` if it is here, or comes at once; None: `collect` has to wait for it."""
         channel = self._channel
-        if channel is None or not self._requests:
+        if channel is None or not self.requests:
             return None
         try:
             body = channel.receive_soon()
@@ -185,9 +183,9 @@ class Program:
     def _accepted(self, answer: Request | Ended) -> Request | Fault:
         if self.budget.exceeded is not None:
             return self._too_slow()
-        if not self._requests and self._process is not None:
+        if not self.requests and self._process is not None:
             self._process.remember_program()
-        self._requests += 1
+        self.requests += 1
         if isinstance(answer, Ended):
             return self._ended(answer.kind, answer.detail, answer.traceback)
         violation = None
@@ -195,7 +193,7 @@ class Program:
             closely = self._check_at_tick % _MEMORY_CHECK_EVERY == 0
             self._check_at_tick = (self._tick // _FOLDER_CHECK_EVERY + 1) * _FOLDER_CHECK_EVERY
             violation = self._violation(closely=closely)
-        elif self._requests % _LOG_CHECK_EVERY == 0:
+        elif self.requests % _LOG_CHECK_EVERY == 0:
             violation = self._prints_too_much()
             self.budget.settle()
         # Since its folder was looked through it may have had time to write much.
@@ -292,11 +290,10 @@ class Program:
         return self._log.new_text() if self._log is not None else ""
 
     def _start(self, layers: tuple[str, ...], log_fd: int, place: Path) -> None:
-        assignment = self._assignment
         folder = self._folder = Path(tempfile.mkdtemp(prefix=f"rcj-{self.name}-", dir=place))
         root = folder / _TEAM
         root.mkdir()
-        assignment.team.unpack(root)
+        self._team.unpack(root)
         limited = "resource_limits" in layers
         self._process, read_fd, write_fd, self._lifeline_fd = processes.start(
             root,
@@ -306,14 +303,14 @@ class Program:
             lifeline=self._portable,
             prefix=isolation.prefix(layers, folder),
         )
-        channel = open_channel(read_fd, write_fd, self._frame_limit, portable=assignment.plan.portable)
-        channel.send(hello_frame(assignment.spec, self._setup(root, layers)))
+        channel = open_channel(read_fd, write_fd, self._frame_limit, portable=self._plan.portable)
+        channel.send(hello_frame(self._spec, self._setup(root, layers)))
         self._channel = TimedChannel(channel, self.budget)
 
     def _setup(self, root: Path, layers: tuple[str, ...]) -> dict[str, Any]:
         """Return the settings of the process beyond the robot."""
-        plan = self._assignment.plan
-        folder, entry = debugging.program_place(self._assignment, root)
+        plan = self._plan
+        folder, entry = debugging.program_place(self._team, self._entry, root, is_debugged=self._is_debugged)
         return {
             "half": plan.half,
             "seed": stream_seed(plan.match_seed, f"program/{self.name}/half{plan.half}"),
@@ -451,7 +448,7 @@ class Program:
 
     def _fail(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
         self.kill()
-        self.fault = Fault(self.name, kind, self._tick, self._assignment.plan.half, detail, traceback, timed)
+        self.fault = Fault(self.name, kind, self._tick, self._plan.half, detail, traceback, timed)
         at = f"tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
         where = self._log.take_dump(self._folder / _TEAM) if self._log is not None and self._folder is not None else ""
         shown = f"It was here, the innermost call first:\n{where}" if where else traceback

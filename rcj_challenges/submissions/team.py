@@ -106,10 +106,6 @@ class Team:
         program = folder / str(PurePosixPath(entry).relative_to(within) if within else entry)
         return (folder, program) if program.is_file() else None
 
-    def size_bytes(self) -> int:
-        """Return the size of all files together."""
-        return sum(map(len, self.files.values()))
-
 
 @dataclass(frozen=True)
 class SuperTeam:

@@ -1,13 +1,11 @@
-"""Which program drives which robot, and under what conditions."""
+"""Under what conditions the programs of a half run."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
 
-from rcj_challenges.core.traffic import RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
-from rcj_challenges.submissions.team import Team
 
 
 @dataclass(frozen=True)
@@ -29,18 +27,3 @@ class PoolPlan:
     sandbox: str = "auto"
     debug: frozenset[str] = frozenset()
     portable: bool | None = None
-
-
-@dataclass(frozen=True)
-class Assignment:
-    """A program and its robot; ``entry`` is its path inside the team's folder, from `Team.entries`."""
-
-    spec: RobotSpec
-    team: Team
-    entry: str
-    plan: PoolPlan
-
-    @property
-    def is_debugged(self) -> bool:
-        """Whether it has the terminal and no limits."""
-        return self.spec.name in self.plan.debug
