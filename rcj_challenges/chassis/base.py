@@ -250,7 +250,7 @@ class Chassis(Word):
     size_m: Positive = described(0.075, "edge length or diameter of the body in m, which is also its height", le=0.5)
     shape: Shape = described("box", "the body seen from above; flat_front: round, cut off at the front")
     jaws_m: tuple[_JawDepth, _JawGap] | None = described(
-        None, "how far two jaws reach ahead of the body, and the distance between them, in m", strict=False
+        None, "how far two jaws reach ahead of the body, and the distance between them, in m"
     )
     mass_kg: Positive = described(0.2, "mass of the body in kg", le=20)
     max_wheel_radps: Positive = described(10.0, "highest wheel speed in rad/s; faster commands are clamped", le=100)

@@ -10,8 +10,6 @@ from itertools import combinations
 from struct import Struct
 from typing import Literal
 
-from pydantic import Field
-
 from rcj_challenges.chassis.base import (
     GRAVITY_MPS2,
     YAW,
@@ -42,10 +40,12 @@ class OmniChassis(Chassis):
     max_wheel_radps: Positive = described(12.5, "highest wheel speed in rad/s; faster commands are clamped", le=100)
     # Source: those of most small-size robots (grSim, Parsian.ini); they leave the front free. The wheels fit into the
     # body, and their rims move as fast as those of the original's robot.
-    wheels_at_rad: tuple[float, ...] = Field(
-        (1.0472, 2.3562, 3.927, 5.236), strict=False, min_length=3, max_length=8,
-        description="where wheels 0, 1, … are, counter-clockwise from the front in rad; they drive counter-clockwise",
-    )  # fmt: skip
+    wheels_at_rad: tuple[float, ...] = described(
+        (1.0472, 2.3562, 3.927, 5.236),
+        "where wheels 0, 1, … are, counter-clockwise from the front in rad; they drive counter-clockwise",
+        min_length=3,
+        max_length=8,
+    )
     wheel_ring_m: Positive = described(0.028, "distance of the wheels from the centre in m", le=0.5)
     wheel_radius_m: Positive = described(0.016, "radius of the wheels in m", le=0.2)
     wheel_width_m: Positive = described(0.008, "width of the wheels in m", le=0.1)

@@ -10,8 +10,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from struct import Struct
 from typing import Any, Literal
 
-from pydantic import Field
-
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S
@@ -50,8 +48,8 @@ class CameraDevice(Device):
     below_horizon: NotNegative = described(0.62, "share of the rows that show what is lower than the camera", le=1)
     ahead_m: NotNegative = described(0.03, "distance from the robot's centre along the bearing in m")
     height_m: Positive = described(0.06, "height above the floor in m", le=1)
-    light: tuple[Positive, Positive] = Field(
-        (1.0, 1.0), strict=False, description="smallest and largest brightness; drawn anew for each half"
+    light: tuple[Positive, Positive] = described(
+        (1.0, 1.0), "smallest and largest brightness; drawn anew for each half"
     )
 
     recognition: bool = described(

@@ -2,10 +2,8 @@
 
 from typing import Any, Literal
 
-from pydantic import Field
-
 from rcj_challenges.devices.base import Device, RobotSetup
-from rcj_challenges.rules.fields import Colour
+from rcj_challenges.rules.fields import Colour, described
 from rcj_challenges.rules.phrasing import listed
 
 
@@ -13,8 +11,8 @@ class LedDevice(Device):
     """A light that a program switches; replays with recorded sensors show which of its colours is lit."""
 
     device: Literal["led"]
-    colours: tuple[Colour, ...] = Field(
-        ("red",), strict=False, min_length=1, max_length=8, description="its colours, of which set(1) lights the first"
+    colours: tuple[Colour, ...] = described(
+        ("red",), "its colours, of which set(1) lights the first", min_length=1, max_length=8
     )
 
     CLASS = "led"

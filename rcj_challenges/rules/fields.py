@@ -113,7 +113,7 @@ Yes = Annotated[Literal[True], BeforeValidator(_no_number)]
 
 Point = Annotated[
     tuple[float, float],
-    Field(strict=False, description="[x, y] in m; x along the short side, y along the long side, origin in the centre"),
+    Field(description="[x, y] in m; x along the short side, y along the long side, origin in the centre"),
     BuiltOnce(),
 ]
 Positive = Annotated[float, Field(gt=0)]
@@ -126,7 +126,7 @@ DurationS = Annotated[
 ]
 WallTimeS = Annotated[float, Field(gt=0, le=86_400, description="time of the clock on the wall in s")]
 Names = Annotated[
-    Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
+    Name | Annotated[tuple[Name, ...], Field(min_length=1)],
     Field(
         union_mode="left_to_right",
         description="a name, or a list of names; a group's name stands for its members",

@@ -29,7 +29,7 @@ class SaidDraw(Strict):
 class Message(Strict):
     """What a message of a robot must be."""
 
-    text: Said | Annotated[tuple[Said, ...], Field(strict=False, min_length=1)] | SaidDraw | None = described(
+    text: Said | Annotated[tuple[Said, ...], Field(min_length=1)] | SaidDraw | None = described(
         None,
         "required content: text, a number, one of a list, or {draw: NAME} for the drawn value; surrounding "
         "spaces are ignored; if omitted: anything",

@@ -99,7 +99,7 @@ class DrawnSpeed(NumberDraw):
 
 
 _SPEEDS = NUMBERS.beside(
-    {"number": _KickSpeed, "pair": Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)]},
+    {"number": _KickSpeed, "pair": tuple[_KickSpeed, _KickSpeed]},
     lambda value: "pair" if isinstance(value, list | tuple) else "number",
     DrawnSpeed,
 )

@@ -15,7 +15,7 @@ AnyCondition = Annotated[Condition, CONDITIONS]
 _ALTERNATIVES = CONDITIONS.beside(
     {},
     lambda value: "list" if isinstance(value, list | tuple) else None,
-    rest={"list": Annotated[tuple[AnyCondition, ...], Field(strict=False, min_length=1)]},
+    rest={"list": Annotated[tuple[AnyCondition, ...], Field(min_length=1)]},
 )
 Alternative = Annotated[Condition | tuple[Condition, ...], _ALTERNATIVES]
 """One of several of which one must hold: a condition, or a list of which all must hold."""

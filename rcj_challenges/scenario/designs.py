@@ -121,7 +121,7 @@ def _read(data: bytes) -> tuple[Entries, RobotFile]:
         message = "keys and values are expected"
         raise ScenarioError([tree.mark.error(codes.DESIGN_UNREADABLE, message, "design_version: 1 …")])
     try:
-        return tree, RobotFile.model_validate(plain(tree))
+        return tree, RobotFile.model_validate(plain(tree, tuple))
     except ValidationError as error:
         from rcj_challenges.scenario.messages.explain import explain  # noqa: PLC0415 - needed for errors only
 

@@ -184,7 +184,7 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
     problems = list(merger.problems)
     scenario: Scenario | None = None
     try:
-        scenario = Scenario.model_validate(plain(tree))
+        scenario = Scenario.model_validate(plain(tree, tuple))
     except ValidationError as error:
         from rcj_challenges.scenario.messages.explain import explain  # noqa: PLC0415 - needed for errors only
 

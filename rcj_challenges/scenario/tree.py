@@ -138,12 +138,12 @@ def nodes_in(node: Node) -> Iterator[Node]:
         yield from nodes_in(inner)
 
 
-def plain(node: Node) -> Any:
-    """Return the tree as plain dicts, lists and scalars."""
+def plain(node: Node, listed: type[list[Any] | tuple[Any, ...]] = list) -> Any:
+    """Return the tree as plain dicts, lists and scalars; for models, which have tuples, with these as lists."""
     if isinstance(node, Entries):
-        return {key: plain(child) for key, child in node.entries.items()}
+        return {key: plain(child, listed) for key, child in node.entries.items()}
     if isinstance(node, Items):
-        return [plain(child) for child in node.items]
+        return listed([plain(child, listed) for child in node.items])
     return node.value
 
 

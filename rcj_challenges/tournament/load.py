@@ -142,7 +142,7 @@ def _validated(tree: Node) -> tuple[Tournament, Entries]:
         help_ = "write keys and their values: 'tournament_version', 'title', 'seed', 'stages', …"
         raise ScenarioError([tree.mark.error(WRONG_VALUE, "a tournament file is a mapping", help_)])
     try:
-        return Tournament.model_validate(plain(tree)), tree
+        return Tournament.model_validate(plain(tree, tuple)), tree
     except ValidationError as error:
         raise ScenarioError(explain(error, tree, Tournament, are_empty_reported=False)) from None
 

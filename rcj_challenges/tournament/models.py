@@ -64,9 +64,7 @@ class Points(Strict):
 class LostBy(Strict):
     """The score of the matches that a withdrawn team does not play."""
 
-    lost: Annotated[tuple[int, int], Field(strict=False)] = described(
-        ..., "goals of the withdrawn team and of its opponent: [0, 3]"
-    )
+    lost: tuple[int, int] = described(..., "goals of the withdrawn team and of its opponent: [0, 3]")
 
 
 class TieScenario(Strict):
@@ -93,7 +91,7 @@ class StageModel(Strict):
     """What all stages have."""
 
     title: str = described("", "the title shown; if omitted: made from the stage's name", max_length=120)
-    release: Time | Annotated[tuple[Time, ...], Field(strict=False, min_length=1)] | None = described(
+    release: Time | Annotated[tuple[Time, ...], Field(min_length=1)] | None = described(
         None,
         "when `publish` shows the results: one time, or a list with one for each round; if omitted: as soon as"
         " they are known",
@@ -174,7 +172,7 @@ class General(Strict):
     )
     set: Settings = described({}, "settings of the scenario: path -> value, as with --set: {match.half_s: 300}")
     points: Points = described(Points.model_construct(), "points for a match")
-    tie_breaks: Annotated[tuple[TieBreak, ...], Field(strict=False, min_length=1)] = described(
+    tie_breaks: Annotated[tuple[TieBreak, ...], Field(min_length=1)] = described(
         ("points", "goal_difference", "goals", "head_to_head"),
         "how a table is ranked, first criterion first. head_to_head: a table of the matches between the teams "
         "that are level. buchholz: the sum of the points of a team's opponents; median_buchholz: without the best and "

@@ -36,7 +36,7 @@ def test_kind_that_is_meant_without_its_key_keeps_what_a_base_says_when_it_is_na
 @pytest.mark.parametrize("kind", CHASSIS.words())
 @pytest.mark.parametrize("shape", ["box", "round", "flat_front"])
 def test_every_solid_of_a_body_is_convex_and_counter_clockwise_and_within_its_size(kind, shape):
-    chassis = kind.model_validate({"drive": kind.name(), "shape": shape, "jaws_m": [0.006, 0.05]})
+    chassis = kind.model_validate({"drive": kind.name(), "shape": shape, "jaws_m": (0.006, 0.05)})
     for outline in chassis.solids().values():
         turns = zip(outline, outline[1:] + outline[:1], outline[2:] + outline[:2], strict=True)
         assert all(side(*corners) > 0 for corners in turns)

@@ -14,6 +14,7 @@ from rcj_challenges.scenario.models.scenario import Result
 from rcj_challenges.views.scoreboard import ranking_lines
 from tests.cli.conftest import ONE_ROBOT, STAND
 from tests.cli.in_this_process import played_one_after_the_other
+from tests.scenario.writing import in_tuples
 
 SLALOM = Path(__file__).resolve().parents[2] / "scenarios" / "examples" / "slalom.yaml"
 NAMES = {"blue": "Hanse", "yellow": "Alster"}
@@ -27,7 +28,7 @@ def run(*arguments):
 
 
 def criteria(rank):
-    return Result.model_validate({"rank": rank}).rank
+    return Result.model_validate(in_tuples({"rank": rank})).rank
 
 
 def placed(*entries):

@@ -17,6 +17,7 @@ from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.world import World
+from tests.scenario.writing import in_tuples
 
 PRESETS = Path(rcj_challenges.scenario.__file__).parent / "presets"
 BLANK = RefereeOutput()
@@ -48,7 +49,7 @@ def _read(preset: str) -> dict[str, Any]:
 
 
 def scenario_of(preset: str = "soccersim_v2", change: dict[str, Any] | None = None) -> Scenario:
-    return Scenario.model_validate(merged(preset_data(preset), change or {}))
+    return Scenario.model_validate(in_tuples(merged(preset_data(preset), change or {})))
 
 
 def half(number: int = 1, seed: int = 7) -> HalfInfo:

@@ -11,8 +11,8 @@ from rcj_challenges.match.comparison import gains, sign_test, tally
 from rcj_challenges.scenario.models.scenario import Result
 
 COUNTS = st.integers(0, 30)
-BY_SCORE = Result.model_validate({"rank": [{"score": "each", "better": "more"}]}).rank
-RACE = Result.model_validate({"rank": [{"score": "each", "better": "more"}, {"word": "time_s", "better": "less"}]}).rank
+BY_SCORE = Result.model_validate({"rank": ({"score": "each", "better": "more"},)}).rank
+RACE = Result.model_validate({"rank": ({"score": "each", "better": "more"}, {"word": "time_s", "better": "less"})}).rank
 
 
 def result(faults=(), **values):

@@ -56,7 +56,7 @@ def small_scenario(*sections: str) -> Scenario:
             # Robots and entrants of the preset are replaced as a whole by those of the stage.
             merges = isinstance(value, dict) and not (layer is _SMALL and key in {"robots", "entrants"})
             tree[key] = {**tree.get(key, {}), **value} if merges else value
-    return Scenario.model_validate(plain(Source.of_data(tree, "small").tree))
+    return Scenario.model_validate(plain(Source.of_data(tree, "small").tree, tuple))
 
 
 @pytest.fixture(scope="session")

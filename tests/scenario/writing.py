@@ -22,6 +22,13 @@ def scenario(body, overrides=(), head=HEAD):
     return loaded(body, overrides, head).scenario
 
 
+def in_tuples(data):
+    """Return plain data with its lists as tuples, which models have."""
+    if isinstance(data, dict):
+        return {key: in_tuples(value) for key, value in data.items()}
+    return tuple(map(in_tuples, data)) if isinstance(data, list) else data
+
+
 def problems_of(call, *arguments):
     """Return what a call refuses, or nothing if it refuses nothing; anything but a `ScenarioError` is a defect."""
     try:

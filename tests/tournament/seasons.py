@@ -15,7 +15,7 @@ from rcj_challenges.tournament.season import FixtureKind, Outcome, Team
 from rcj_challenges.tournament.tournament_file import Tournament
 
 FOLDER = Path("here")
-RACE = Result.model_validate({"rank": [{"score": "each", "better": "more"}, {"word": "time_s", "better": "less"}]}).rank
+RACE = Result.model_validate({"rank": ({"score": "each", "better": "more"}, {"word": "time_s", "better": "less"})}).rank
 SOLO = ("shooter", "slalom")
 """Names of scenarios with one seat; all others have two."""
 
@@ -33,7 +33,7 @@ def loaded(stages, teams, head=""):
         head: more keys of the file.
     """
     text = f"tournament_version: 1\ntitle: T\nseed: 1\n{head}stages:\n{stages}"
-    tournament = Tournament.model_validate(plain(parse_text(text, "t.yaml")))
+    tournament = Tournament.model_validate(plain(parse_text(text, "t.yaml"), tuple))
     pots = teams if isinstance(teams, dict) else dict.fromkeys(teams, 0)
     entries = {team: TeamEntry(team, FOLDER / team, None, pot) for team, pot in pots.items()}
     infos = {use: info(Path(use.source).name) for use in tournament.uses(ScenarioNames(tournament, FOLDER))}

@@ -12,6 +12,7 @@ from rcj_challenges.records.sensors import SensorWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.replay import write_replay
 from tests.made_up_runs import finish_event, made_up_play, small_scenario, write_run
+from tests.scenario.writing import in_tuples
 from tests.views.sensing_play import SENSED, logo, sense
 
 TICKS = 1000
@@ -22,6 +23,7 @@ TRACEBACK = (
     'Traceback (most recent call last):\n  File "robot.py", line 7, in <module>\n    strike(ball)\n'
     '  File "lib/strike.py", line 31, in strike\n    return 1 / distance\nZeroDivisionError: division by zero\n'
 )
+
 MOMENTS = {
     "before_kick_off": (1, 0),
     "goal": (1, GOALS[0] + 15),
@@ -51,7 +53,7 @@ def scenario() -> Scenario:
         "actions": [{"action": "emit", "event": "LACK_OF_PROGRESS"}],
         "says": "{entity} made no progress or left the field; it is put on a neutral spot.",
     }
-    return Scenario.model_validate(fields)
+    return Scenario.model_validate(in_tuples(fields))
 
 
 def play(robots: int, half: int, scores: Mapping[str, float]) -> Iterator[tuple[Snapshot, RefereeOutput]]:

@@ -32,6 +32,7 @@ from rcj_challenges.scenario.shape import fields
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet import sheet_markdown
 from scripts.write_reference import read_examples
+from tests.scenario.writing import in_tuples
 
 pytestmark = pytest.mark.usefixtures("without_drawing")
 
@@ -255,7 +256,7 @@ def _changed(leaf: Leaf, value: Any) -> Loaded | None:
     """Return the scenario with another value in place of a leaf; None if it may not be there."""
     data = _with(_untested(leaf.scenario), leaf.path, value)
     try:
-        models.Scenario.model_validate(data)  # says no sooner, if less politely
+        models.Scenario.model_validate(in_tuples(data))  # says no sooner, if less politely
         return load_resolved(data)
     except (ValidationError, ScenarioError):
         return None

@@ -15,6 +15,7 @@ from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.world import World
+from tests.scenario.writing import in_tuples
 
 FULL = 10.0
 """Top wheel speed in rad/s (reference, section 2)."""
@@ -29,7 +30,7 @@ def _match() -> dict[str, Any]:
 
 def scenario_with(**changes: Any) -> Scenario:
     """The match with some sections changed, merged by key; None removes."""
-    return Scenario.model_validate(_merged(_match(), changes))
+    return Scenario.model_validate(in_tuples(_merged(_match(), changes)))
 
 
 def _merged(base: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:

@@ -1,16 +1,15 @@
 """The condition ``any_of``."""
 
-from pydantic import Field
-
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
+from rcj_challenges.rules.fields import described
 from rcj_challenges.rules.several_conditions import Alternative, all_hold, as_one, one_holds, opposites, watched_by
 
 
 class AnyOf(Condition):
     """Whether at least one of several conditions holds; a list among them holds if all in it hold."""
 
-    any_of: tuple[Alternative, ...] = Field(
-        ..., strict=False, min_length=1, description="conditions, each as in a rule, and lists of conditions"
+    any_of: tuple[Alternative, ...] = described(
+        ..., "conditions, each as in a rule, and lists of conditions", min_length=1
     )
 
     KEY = "any_of"

@@ -2,10 +2,8 @@
 
 from typing import Annotated
 
-from pydantic import Field
-
 from rcj_challenges.rules.base import Phrases, PlaceResolver, Scope
-from rcj_challenges.rules.fields import Name, Point
+from rcj_challenges.rules.fields import Name, Point, described
 from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.rules.places.apart import RandomPlace
 from rcj_challenges.rules.refs import Ref
@@ -14,8 +12,8 @@ from rcj_challenges.rules.refs import Ref
 class Choice(RandomPlace):
     """One of several spots or points, chosen with equal probability, or the one that a draw selected."""
 
-    choice: Annotated[tuple[Name | Point, ...], Ref("spot", frozenset({"spot"}), groups=True, drawn=True)] = Field(
-        ..., strict=False, min_length=1, description="spots, groups of spots, draws that select a spot, or points"
+    choice: Annotated[tuple[Name | Point, ...], Ref("spot", frozenset({"spot"}), groups=True, drawn=True)] = described(
+        ..., "spots, groups of spots, draws that select a spot, or points", min_length=1
     )
 
     KEY = "choice"

@@ -3,17 +3,15 @@
 from collections.abc import Callable
 from random import Random
 
-from pydantic import Field
-
 from rcj_challenges.rules.base import Phrases, Scope
-from rcj_challenges.rules.fields import Point
+from rcj_challenges.rules.fields import Point, described
 from rcj_challenges.rules.places.apart import RandomPlace
 
 
 class OnLine(RandomPlace):
     """A random point on a line segment; all points are equally likely."""
 
-    on_line: tuple[Point, Point] = Field(..., strict=False, description="both ends, [[x, y], [x, y]] in m")
+    on_line: tuple[Point, Point] = described(..., "both ends, [[x, y], [x, y]] in m")
 
     KEY = "on_line"
     IS_SPREAD = True

@@ -3,8 +3,6 @@
 from collections.abc import Callable
 from typing import Literal
 
-from pydantic import Field
-
 from rcj_challenges.core.timing import TICK_S, s_from_ticks, ticks_from_s, whole_ticks_within_s
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test, Trigger
 from rcj_challenges.rules.conditions import AnyCondition
@@ -19,9 +17,7 @@ class Holds(Trigger):
     """Fires when conditions have held for a given time and, with ``every_s``, again at intervals."""
 
     trigger: Literal["holds"]
-    conditions: tuple[AnyCondition, ...] = Field(
-        ..., strict=False, min_length=1, description="the conditions, which must all hold"
-    )
+    conditions: tuple[AnyCondition, ...] = described(..., "the conditions, which must all hold", min_length=1)
     for_s: Waits = described(
         0.0,
         "how long they must hold, in s, read when they begin to; 0: it fires as soon as they become true, but not if "

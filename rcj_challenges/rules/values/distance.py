@@ -10,13 +10,13 @@ from rcj_challenges.rules.number import NumberValue
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.refs import MEASURED_TO
 
-_Several = Annotated[tuple[Name, ...], Field(strict=False, min_length=1)]
+_Several = Annotated[tuple[Name, ...], Field(min_length=1)]
 
 
 class DistanceValue(NumberValue):
     """The distance in m between the centres of two things, to the millimetre; none while one is off the field."""
 
-    distance: Annotated[tuple[Name | Point | _Several, Name | Point], Field(strict=False), MEASURED_TO] = described(
+    distance: Annotated[tuple[Name | Point | _Several, Name | Point], MEASURED_TO] = described(
         ...,
         "two of the following: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest "
         "member), [x, y] in m; one of them may be a wall, a gate or a zone: then its nearest point counts, and inside "

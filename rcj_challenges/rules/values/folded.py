@@ -12,7 +12,7 @@ from rcj_challenges.rules.phrasing import listed
 _SEVERAL = NUMBERS.beside(
     {},
     lambda value: "list" if isinstance(value, list | tuple) else None,
-    rest={"list": Annotated[tuple[Amount, ...], Field(strict=False, min_length=1)]},
+    rest={"list": Annotated[tuple[Amount, ...], Field(min_length=1)]},
 )
 Several = Annotated[ValueWord | tuple[Amount, ...], _SEVERAL]
 """Numbers: a list of them, or a value that names a group, of each member."""

@@ -138,7 +138,7 @@ class _Explainer:
             config = None if is_model(bare(member).kind) else ConfigDict(strict=True, allow_inf_nan=False)
             adapter: TypeAdapter[Any] = TypeAdapter(member, config=config)
             try:
-                adapter.validate_python(plain(node))
+                adapter.validate_python(plain(node, tuple))
             except ValidationError as error:
                 yield from self.mistakes(error, member, mistake.path, mistake.union)
                 return

@@ -17,11 +17,8 @@ class Allowance(Strict):
 
     least: float | None = described(None, "smallest value; left out: that of the field itself")
     most: float | None = described(None, "largest value; left out: the last of `prices`, or that of the field itself")
-    prices: tuple[Annotated[tuple[float, Points], Field(strict=False)], ...] = Field(
-        (),
-        strict=False,
-        max_length=32,
-        description="[up to this value, points], in increasing order; more is not allowed",
+    prices: tuple[tuple[float, Points], ...] = described(
+        (), "[up to this value, points], in increasing order; more is not allowed", max_length=32
     )
 
 
@@ -46,12 +43,10 @@ class Guideline(Strict):
     max_height_m: Positive = described(..., "largest height in m")
     max_mass_kg: Positive = described(..., "largest mass in kg, with wheels")
     max_mouth_m: NotNegative = described(0.0, "how far in m a ball may enter between the jaws; 0: no jaws")
-    shapes: tuple[Shape, ...] = Field(("box", "round", "flat_front"), strict=False, description="shapes of the body")
+    shapes: tuple[Shape, ...] = described(("box", "round", "flat_front"), "shapes of the body")
     drives: dict[Name, Part] = described(..., "drives by their word: differential, omni", min_length=1)
     devices: dict[Name, Part] = described({}, "devices by their word: sonar, camera, …; others are not allowed")
-    keeps: tuple[DeviceName, ...] = Field(
-        (), strict=False, description="devices of its kit that every robot keeps, for nothing"
-    )
+    keeps: tuple[DeviceName, ...] = described((), "devices of its kit that every robot keeps, for nothing")
 
 
 PlainDeviceName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_][A-Za-z0-9_ .-]*$", max_length=64)]
@@ -71,6 +66,6 @@ class RobotFile(Strict):
 
     design_version: Literal[1] = described(..., "version of this format")
     designs: dict[Name, Design] = described(..., "designs by name", min_length=1, max_length=8)
-    robots: tuple[Name, ...] = Field(
-        (), strict=False, max_length=64, description="the design of robot 1, 2, …; with one design it may be left out"
+    robots: tuple[Name, ...] = described(
+        (), "the design of robot 1, 2, …; with one design it may be left out", max_length=64
     )

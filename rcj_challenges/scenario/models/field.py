@@ -17,12 +17,12 @@ class Match(Strict):
     """How many halves are played, how long they are, and whether the entrants change sides."""
 
     halves: int = described(1, "how many halves are played", ge=1, le=64)
-    called: _Called | Annotated[tuple[_Called, _Called], Field(strict=False)] | None = described(
+    called: _Called | tuple[_Called, _Called] | None = described(
         None,
         "what a half is called in the terminal and on all pages: round; with its plural, if that takes more than an s: "
         "[inning, innings]; keywords and programs keep half",
     )
-    half_s: DurationS | Annotated[tuple[DurationS, ...], Field(strict=False, min_length=1)] = described(
+    half_s: DurationS | Annotated[tuple[DurationS, ...], Field(min_length=1)] = described(
         600.0, "simulated length of each half in s, or a list with one length per half"
     )
     swap_sides: bool = described(

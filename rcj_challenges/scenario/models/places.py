@@ -59,9 +59,7 @@ class PolygonZone(_Zone):
     """A simple polygon."""
 
     shape: Literal["polygon"]
-    points_m: tuple[Point, ...] = Field(
-        ..., strict=False, min_length=3, max_length=100, description="corners in order, [x, y] in m"
-    )
+    points_m: tuple[Point, ...] = described(..., "corners in order, [x, y] in m", min_length=3, max_length=100)
 
 
 class HalfPlaneZone(_Zone):
@@ -104,5 +102,5 @@ class Placing(Placement):
 
 Layout = Annotated[
     tuple[Placing, ...],
-    Field(strict=False, min_length=1, description="an ordered list of placements; a later one may refer to an earlier"),
+    Field(min_length=1, description="an ordered list of placements; a later one may refer to an earlier"),
 ]

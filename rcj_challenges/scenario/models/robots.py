@@ -18,8 +18,8 @@ class Kit(Strict):
         "v2.1", "format of the referee's packets: one byte (v2.1), JSON text (v2.2), or the 2021 struct of positions"
     )
     packet_every_ticks: int = described(1, "number of ticks from one referee packet to the next", ge=1, le=1000)
-    packet_lists: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
-        (), strict=False, description="robots whose positions a 2021 packet lists, in order"
+    packet_lists: Annotated[tuple[Name, ...], ONE_ROBOT] = described(
+        (), "robots whose positions a 2021 packet lists, in order"
     )
     packet_has_flag: bool = described(
         True, "whether 2021 packets end with waiting_for_kickoff (those of the first demo did not)"
@@ -59,14 +59,14 @@ class Robot(Strict):
     devices: dict[DeviceName, AnyDevice] = described(
         {}, "devices to add to those of its kit, or to change: an entry without `device` changes only the given keys"
     )
-    without: tuple[DeviceName, ...] = Field((), strict=False, description="devices of the kit that this robot lacks")
+    without: tuple[DeviceName, ...] = described((), "devices of the kit that this robot lacks")
     idle: bool = described(False, "True: no program drives it and its wheels are braked, so it is an obstacle")
 
 
 # No part of the path is empty, or one or two dots.
 _PART = r"[A-Za-z0-9_.-]*[A-Za-z0-9_-][A-Za-z0-9_.-]*"
 EntryPoint = Annotated[str, StringConstraints(pattern=rf"^[A-Za-z0-9_][A-Za-z0-9_.-]*(/{_PART})*\.py$", max_length=200)]
-EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(strict=False, min_length=1)]
+EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(min_length=1)]
 
 
 class Entrant(Strict):
@@ -85,10 +85,9 @@ class Entrant(Strict):
         "guideline for the robots of the team that starts in this seat; a submission without robot.yaml has the "
         "robots' own kits; left out: no robot.yaml counts",
     )
-    kits: Annotated[tuple[Name, ...], SectionRef("kit", ("kits",))] = Field(
+    kits: Annotated[tuple[Name, ...], SectionRef("kit", ("kits",))] = described(
         (),
-        strict=False,
-        description="kits of the team that starts in this seat, in the order of `robots`: they stay with it when sides "
+        "kits of the team that starts in this seat, in the order of `robots`: they stay with it when sides "
         "change; left out: the robots' own",
     )
     title: str = described("", "name shown for the seat if no team name is given", max_length=64)

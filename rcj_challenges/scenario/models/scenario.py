@@ -45,9 +45,7 @@ MAX_ROWS = 64
 _E = TypeVar("_E", bound=Effect)
 _M = TypeVar("_M", bound=Moment)
 
-RowValues = Annotated[
-    dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False)]], Field(max_length=MAX_ROWS)
-]
+RowValues = Annotated[dict[Name, Scalar | tuple[Scalar, ...]], Field(max_length=MAX_ROWS)]
 """The values of a row of a table by their columns."""
 
 _Times = Annotated[int, Field(ge=1)]
@@ -58,7 +56,7 @@ _Roles = Annotated[dict[Name, Name], replace(ROLE, keys=True)]
 _Scores = Annotated[dict[Name, float], replace(ENTRANT, keys=True)]
 _BY_ROBOT = replace(ONE_ROBOT, keys=True)
 _Poses = Annotated[
-    dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
+    dict[Name, Annotated[tuple[float, ...], Field(min_length=2, max_length=3)]],
     replace(ONE_ENTITY, keys=True),
 ]
 
@@ -66,13 +64,11 @@ _Poses = Annotated[
 class Rule(Strict):
     """A rule: if one of its triggers fires and all its conditions hold, its actions run in order."""
 
-    triggers: tuple[AnyTrigger, ...] = Field(
-        ..., strict=False, min_length=1, description="moments at which the rule may fire; one is enough"
+    triggers: tuple[AnyTrigger, ...] = described(..., "moments at which the rule may fire; one is enough", min_length=1)
+    conditions: tuple[AnyCondition, ...] = described(
+        (), "conditions that must all hold at that moment (for 'or', use any_of)"
     )
-    conditions: tuple[AnyCondition, ...] = Field(
-        (), strict=False, description="conditions that must all hold at that moment (for 'or', use any_of)"
-    )
-    actions: tuple[AnyAction, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
+    actions: tuple[AnyAction, ...] = described(..., "what happens, in order", min_length=1)
     for_each: Annotated[Name | None, KEEPERS] = described(
         None,
         "entrants, a group of entities, fixed obstacles, zones or gates, or a single one of these: the rule exists "
@@ -80,7 +76,7 @@ class Rule(Strict):
         "robots, and where an entrant is needed, a robot for the one it plays for",
     )
     phases: Annotated[
-        Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
+        Literal["any"] | Annotated[tuple[Name, ...], Field(min_length=1)],
         SectionRef("phase", ("phases",), words=frozenset({"play", "any"})),
     ] = Field(("play",), description="the phases in which the rule is active; any: all of them")
     priority: int = described(
@@ -162,9 +158,7 @@ class Broadcast(Strict):
 class Result(Strict):
     """How entrants are ranked, with the most important value first."""
 
-    rank: tuple[AnyRanked, ...] = Field(
-        (BY_SCORE,), strict=False, min_length=1, description="values with `better`; a later one breaks ties"
-    )
+    rank: tuple[AnyRanked, ...] = described((BY_SCORE,), "values with `better`; a later one breaks ties", min_length=1)
 
 
 class Keyframe(Strict):
@@ -184,18 +178,14 @@ class Keyframe(Strict):
         "where the rule put it",
     )
     touch: Annotated[
-        tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...],
+        tuple[tuple[Name, Name], ...],
         Ref("entity or obstacle", MOVING | FIXED | {"walls"}),
-    ] = Field((), strict=False, description="pairs that touch in this tick")
+    ] = described((), "pairs that touch in this tick")
     touch_lasts_s: DurationS | None = described(
         None, "how long these pairs stay in contact, in s; if omitted: in this tick only"
     )
-    tips: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
-        (), strict=False, description="robots that lie on their side from this moment on"
-    )
-    fault: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
-        (), strict=False, description="robots whose programs fail at this moment"
-    )
+    tips: Annotated[tuple[Name, ...], ONE_ROBOT] = described((), "robots that lie on their side from this moment on")
+    fault: Annotated[tuple[Name, ...], ONE_ROBOT] = described((), "robots whose programs fail at this moment")
     tells: Annotated[dict[Name, Said | Point] | None, _BY_ROBOT] = described(
         None, "robot -> its message to the referee by radio: text, a number, or [x, y] in m"
     )
@@ -239,10 +229,10 @@ class Given(Strict):
 
 
 Ranking = Annotated[
-    tuple[Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)], ...],
-    Field(strict=False, min_length=1),
+    tuple[Name | Annotated[tuple[Name, ...], Field(min_length=1)], ...],
+    Field(min_length=1),
 ]
-ToldNumbers = Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]
+ToldNumbers = Annotated[tuple[float, ...], Field(min_length=2, max_length=3)]
 """A position as sent to programs."""
 
 
@@ -252,7 +242,7 @@ class Expectation(Strict):
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "the half that is played; entrants keep their names in all halves", ge=1)
     draws: Annotated[
-        dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False, min_length=1)]],
+        dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(min_length=1)]],
         SectionRef("draw or role", ("draws", "roles"), keys=True),
     ] = described(
         {},
@@ -260,7 +250,7 @@ class Expectation(Strict):
         "takes the next value, and after the last one, draws are random",
     )
     spots: Annotated[
-        dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None,
+        dict[Name, Point | Annotated[tuple[Point, ...], Field(min_length=1)]] | None,
         Ref("spot", frozenset({"spot"}), keys=True),
     ] = described(
         None,
@@ -268,19 +258,14 @@ class Expectation(Strict):
         "first few times; after that they are random (to compare a spot at the end, use poses)",
     )
     given: Given = described(Given.model_construct(), "score, counters and flags when the half begins")
-    keyframes: tuple[Keyframe, ...] = Field(
-        ..., strict=False, min_length=1, description="the script, in chronological order"
-    )
+    keyframes: tuple[Keyframe, ...] = described(..., "the script, in chronological order", min_length=1)
     lasts_s: DurationS = described(..., "how long the test lasts, in s")
-    events: tuple[ExpectedEvent, ...] | None = Field(
-        None,
-        strict=False,
-        description="all events in order, except those in `ignore`, and firings of rules; if omitted: not checked",
+    events: tuple[ExpectedEvent, ...] | None = described(
+        None, "all events in order, except those in `ignore`, and firings of rules; if omitted: not checked"
     )
-    ignore: tuple[EventName, ...] = Field(
+    ignore: tuple[EventName, ...] = described(
         ("MATCH_START", "KICKOFF", "MATCH_FINISH"),
-        strict=False,
-        description="events left out of the comparison, unless they are expected by name; a list replaces this one",
+        "events left out of the comparison, unless they are expected by name; a list replaces this one",
     )
     score: _Scores = described({}, "score by entrant at the end")
     counters: _Counters = described({}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}")
@@ -308,7 +293,7 @@ class Expectation(Strict):
         "match; none: the half continues",
     )
     poses: Annotated[
-        dict[Name, Annotated[tuple[float, float], Field(strict=False)]],
+        dict[Name, tuple[float, float]],
         Ref("entity or spot", MOVING | frozenset({"spot"}), keys=True),
     ] = described({}, "entity or spot -> [x, y] at the end in m; what is off the field is at no place")
     off: Annotated[Names | None, MEMBERS] = described(None, "entities or groups that are off the field at the end")
@@ -322,13 +307,12 @@ class MatchExpectation(Strict):
     """A test of several halves in a row, in which seats change and scores are carried over as in a match."""
 
     seed: int = described(1, "seed of the draws", ge=0)
-    halves: tuple[Expectation, ...] = Field(
+    halves: tuple[Expectation, ...] = described(
         ...,
-        strict=False,
+        "the halves, each a test of its own by the seats in that half, without seed, half and ranking; "
+        "each but the last is over after lasts_s",
         min_length=1,
         max_length=MAX_ROWS,
-        description="the halves, each a test of its own by the seats in that half, without seed, half and ranking; "
-        "each but the last is over after lasts_s",
     )
     score: _Scores = described({}, "score at the end by team, which is named by its seat in the first half")
     counters: _Counters = described({}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}")
@@ -383,8 +367,8 @@ class Scenario(Strict):
     zones: dict[Name, Zone] = described({}, "zones by name")
     gates: dict[Name, Gate] = described({}, "gates by name")
     spots: dict[Name, Spot] = described({}, "spots by name")
-    groups: dict[Name, Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_MEMBERS)]] = (
-        described({}, "several robots, balls, obstacles, zones, gates or spots under one name", max_length=MAX_GROUPS)
+    groups: dict[Name, Annotated[tuple[Name, ...], Field(min_length=1, max_length=MAX_MEMBERS)]] = described(
+        {}, "several robots, balls, obstacles, zones, gates or spots under one name", max_length=MAX_GROUPS
     )
     draws: dict[Name, Draw] = described({}, "random choices")
     roles: dict[Name, Role] = described({}, "names for those that are meant now; rules assign them")

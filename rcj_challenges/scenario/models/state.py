@@ -19,11 +19,8 @@ _PER = "entrants, or a group of entities, fixed obstacles, zones or gates: each 
 class Draw(Strict):
     """A random choice, made at the start of a half and at every ``draw`` action."""
 
-    values: tuple[Scalar, ...] = Field(
-        ...,
-        strict=False,
-        min_length=1,
-        description="the values, equally likely; a value that is listed twice is drawn twice as often",
+    values: tuple[Scalar, ...] = described(
+        ..., "the values, equally likely; a value that is listed twice is drawn twice as often", min_length=1
     )
     not_last: bool = described(
         False,
@@ -117,19 +114,18 @@ class Timer(Strict):
     per: Annotated[Name | None, KEEPERS] = described(None, f"{_PER} timer")
     starts: bool = described(False, "True: it runs from the start, of the half or as `keep` says")
     keep: Annotated[Name | None, KEEP] = described(None, _KEEP.format("", "; if omitted: half"))
-    while_: tuple[AnyCondition, ...] | None = Field(
+    while_: tuple[AnyCondition, ...] | None = described(
         None,
+        "conditions: it runs while they all hold, and only then; with per, each is the member",
         alias="while",
-        strict=False,
         min_length=1,
-        description="conditions: it runs while they all hold, and only then; with per, each is the member",
     )
 
 
 class AnyStep(Strict):
     """A step that can be completed at any of several places."""
 
-    any_of: Annotated[tuple[Name, ...], STEP] = Field(..., strict=False, min_length=1, description="zones or gates")
+    any_of: Annotated[tuple[Name, ...], STEP] = described(..., "zones or gates", min_length=1)
 
 
 class Sequence(Strict):
@@ -150,9 +146,7 @@ class Sequence(Strict):
         "instead of entity: a group of robots, balls or movable obstacles; each member has its own sequence, "
         "with its own steps and time",
     )
-    steps: Annotated[tuple[Name | AnyStep, ...], STEP] = Field(
-        ..., strict=False, min_length=2, description="zones or gates"
-    )
+    steps: Annotated[tuple[Name | AnyStep, ...], STEP] = described(..., "zones or gates", min_length=2)
     order: Literal["any"] | None = described(
         None, "any: the steps may be made in any order, and none is wrong; if omitted: in the order of the list"
     )

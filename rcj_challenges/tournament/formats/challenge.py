@@ -3,9 +3,7 @@
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
-from typing import Annotated, Any, ClassVar, Literal
-
-from pydantic import Field
+from typing import Any, ClassVar, Literal
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.fields import Name, described
@@ -37,7 +35,7 @@ class Challenge(Format):
         "how several challenges are combined into one table. places: points by place; share: 100 points for "
         "the best value, and for others their share of it, but never more than for a better place",
     )
-    place_points: Annotated[tuple[float, ...], Field(strict=False)] = described(
+    place_points: tuple[float, ...] = described(
         (),
         "points for the first place, the second, …; if omitted: the number of teams for the first place, 1 for"
         " the last",

@@ -25,13 +25,12 @@ class RoundRobin(LeagueFormat):
     """All teams of a group meet each other."""
 
     stage: Literal["round_robin"]
-    groups: (
-        Annotated[int, Field(ge=1, le=64)]
-        | dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=2)]]
-    ) = described(
-        1,
-        "number of groups, drawn evenly from each pot or, with 'from', from each place; or the teams by group: "
-        "{A: [ada, bee], B: […]}",
+    groups: Annotated[int, Field(ge=1, le=64)] | dict[Name, Annotated[tuple[TeamId, ...], Field(min_length=2)]] = (
+        described(
+            1,
+            "number of groups, drawn evenly from each pot or, with 'from', from each place; or the teams by group: "
+            "{A: [ada, bee], B: […]}",
+        )
     )
     legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
 

@@ -22,7 +22,7 @@ class SuperTeam(MatchFormat):
     """Each robot of a side is driven by the program of another team; all super teams meet each other."""
 
     stage: Literal["super_team"]
-    super_teams: dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=1)]] | None = described(
+    super_teams: dict[Name, Annotated[tuple[TeamId, ...], Field(min_length=1)]] | None = described(
         None, "the teams of each super team, in the order of the side's robots; if omitted: drawn"
     )
     legs: int = described(1, "how often two super teams meet; 2: with the sides changed", ge=1, le=2)
