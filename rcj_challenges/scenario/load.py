@@ -7,7 +7,6 @@ malformed section hides the references into it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -26,7 +25,7 @@ from rcj_challenges.scenario.reading.params import apply_overrides, resolve_para
 from rcj_challenges.scenario.reading.repeating import entry_of, merged, repeat_entries
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Step, check_size, nodes_in, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, check_size, nodes_in, plain
 
 
 @dataclass(frozen=True)
@@ -44,7 +43,6 @@ class Loaded:
         bases: the files that it extends, the nearest first; presets are not among them.
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
         repeated: where each copy of a repeated entry comes from, by section and name, for lint.
-        overridden: the entries of sections that a base has too, by section and name, for lint.
     """
 
     scenario: Scenario
@@ -57,7 +55,6 @@ class Loaded:
     bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
     left_out: Mapping[str, Diagnostic] = field(default_factory=dict, repr=False, compare=False)
     repeated: Mapping[tuple[str, str], Repeated] = field(default_factory=dict, repr=False, compare=False)
-    overridden: AbstractSet[tuple[Step, ...]] = field(default=frozenset(), repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
@@ -140,9 +137,8 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     unresolved = {key: value for key, value in plain(tree).items() if key != TESTS}
     _resolve(tree, merger)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
-    changes = merger.repeated, merger.overridden
     return Loaded(
-        scenario, Roster.of(scenario), name, path, scenario.dumped(), unresolved, tree, bases, left_out, *changes
+        scenario, Roster.of(scenario), name, path, scenario.dumped(), unresolved, tree, bases, left_out, merger.repeated
     )
 
 

@@ -76,9 +76,7 @@ class NeverUsed(LintRule, code="never-used"):
                 # The group of all copies of an entry is written nowhere.
                 is_used |= section == "groups" and name not in ctx.loaded.unresolved.get("groups", {})
                 if not is_used and ctx.is_own((section, name)):
-                    null = section != "params" and (section, name) in ctx.loaded.overridden
-                    away = "name it in a rule, or remove what the base defines by '{name}: null'" if null else ""
-                    away = f"write repeat_for: {name} in an entry, or remove it" if section == "tables" else away
+                    away = f"write repeat_for: {name} in an entry, or remove it" if section == "tables" else ""
                     yield self.at((section, name), help=away, noun=noun, name=name)
 
     def _used(self, ctx: LintContext) -> dict[str, set[str]]:

@@ -66,13 +66,11 @@ class Merger:
 
     Attributes:
         removed: where each entry was removed, by section and name path.
-        overridden: the entries of sections that the base has too, by section and name.
         repeated: where each entry comes from that is a copy of a repeated one, by section and name.
     """
 
     problems: list[Diagnostic] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
-    overridden: set[Path] = field(default_factory=set)
     repeated: dict[tuple[str, str], Repeated] = field(default_factory=dict)
 
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
@@ -95,8 +93,6 @@ class Merger:
             self._null(base, key, node, key_mark, shape, path)
             return
         before = base.entries.get(key)
-        if len(path) == 1 and before is not None:
-            self.overridden.add(here)
         if isinstance(node, Leaf):
             base.put(key, node, key_mark)
             return
