@@ -5,7 +5,6 @@ from __future__ import annotations
 import inspect
 from collections.abc import Iterator
 from functools import cached_property
-from types import ModuleType
 from typing import Any, ClassVar, NamedTuple, TypeVar
 
 from rcj_challenges.core.code import Code
@@ -145,8 +144,3 @@ class LintRule:
     def at(self, path: Path, *, help: str = "", **values: object) -> Diagnostic:  # noqa: A002 - as it is printed
         """Return an issue at a path, with the templates filled in; ``help`` replaces the check's own."""
         return issue(self.code, path, self.message.format(**values), (help or self.help).format(**values), self.at_key)
-
-
-def checks_of(module: ModuleType) -> list[type[LintRule]]:
-    """Return the checks that a module defines, in its order."""
-    return [one for one in vars(module).values() if isinstance(one, type) and LintRule in one.__bases__]

@@ -5,14 +5,12 @@ from __future__ import annotations
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.run import located
 from rcj_challenges.scenario.errors import place_of
-from rcj_challenges.scenario.lint import flow, placing, state, values
-from rcj_challenges.scenario.lint.base import LintContext, LintRule, checks_of
+from rcj_challenges.scenario.lint import flow, placing, state, values  # noqa: F401 - they define the checks
+from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.reading.repeating import merged
 
-LINT_RULES: tuple[LintRule, ...] = tuple(
-    check() for module in (flow, state, values, placing) for check in checks_of(module)
-)
+LINT_RULES = tuple(check() for check in LintRule.__subclasses__())
 
 
 def lint(loaded: Loaded) -> list[Diagnostic]:
