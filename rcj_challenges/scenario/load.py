@@ -19,7 +19,7 @@ from rcj_challenges.scenario.codes import WRONG_VALUE
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.kits import fill_in_devices
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.reading.extend import Source, find_scenario, read_chain
+from rcj_challenges.scenario.reading.extend import Source, find_scenario, read_chain, tree_of
 from rcj_challenges.scenario.reading.merge import TESTS, Merger, Repeated
 from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params, sets_param
 from rcj_challenges.scenario.reading.repeating import entry_of, merged, repeat_entries
@@ -74,7 +74,7 @@ def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
 
 
 def load_text(text: str, overrides: Sequence[str] = (), *, file: str = "scenario.yaml") -> Loaded:
-    """Load a scenario from a text; ``extends`` knows what is shipped only.
+    """Load a scenario from a text, as if it were a file of that name.
 
     Raises:
         ScenarioError: everything that is wrong with it.
@@ -90,7 +90,7 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequen
     Raises:
         ScenarioError: it is not what this version writes, or is wrong with the overrides.
     """
-    tree, merger = Source.of_data(resolved, RESOLVED).tree, Merger()
+    tree, merger = tree_of(resolved, RESOLVED), Merger()
     apply_overrides(tree, overrides, merger, is_resolved=True)
     scenario = _checked(tree, merger)
     return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, scenario.dumped())
@@ -107,7 +107,7 @@ def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], ov
     """
     if not unresolved:
         return load_resolved(resolved, overrides=overrides)
-    tree, merger = Source.of_data(unresolved, RESOLVED).tree, Merger()
+    tree, merger = tree_of(unresolved, RESOLVED), Merger()
     tree.entries.pop(TESTS, None)  # a record may have tests that did not fit the scenario
     of_params = [override for override in overrides if sets_param(tree, override)]
     if of_params:
@@ -130,8 +130,7 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     chain = read_chain(source)
     for part in chain:
         merger.merge(tree, part.tree, Scenario)
-    extended = [part.path for part in reversed(chain[:-1]) if part.path is not None]
-    bases = tuple(base for base in extended if base.parent != presets_folder())
+    bases = tuple(part.path for part in reversed(chain[:-1]) if part.path.parent != presets_folder())
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
     unresolved = {key: value for key, value in plain(tree).items() if key != TESTS}

@@ -14,7 +14,7 @@ import rcj_challenges
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.reading.extend import Source
+from rcj_challenges.scenario.reading.extend import tree_of
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import plain
 
@@ -56,7 +56,7 @@ def small_scenario(*sections: str) -> Scenario:
             # Robots and entrants of the preset are replaced as a whole by those of the stage.
             merges = isinstance(value, dict) and not (layer is _SMALL and key in {"robots", "entrants"})
             tree[key] = {**tree.get(key, {}), **value} if merges else value
-    return Scenario.model_validate(plain(Source.of_data(tree, "small").tree, tuple))
+    return Scenario.model_validate(plain(tree_of(tree, "small"), tuple))
 
 
 @pytest.fixture(scope="session")

@@ -40,7 +40,7 @@ class Source:
 
     tree: Entries
     shown: str
-    path: Path | None = None
+    path: Path
 
     @classmethod
     def of_file(cls, path: Path, shown: str) -> Source:
@@ -66,14 +66,7 @@ class Source:
         Raises:
             ScenarioError: it is not strict YAML.
         """
-        return cls(_mapping(parse_text(text, shown)), shown)
-
-    @classmethod
-    def of_data(cls, data: Mapping[str, Any], shown: str) -> Source:
-        """Wrap plain data; everything in it stands at the same place: the data as a whole."""
-        tree = _mapping(_wrapped(data, Mark(shown)))
-        to_version_2(tree)
-        return cls(tree, shown)
+        return cls(_mapping(parse_text(text, shown)), shown, Path(shown))
 
 
 def _mapping(node: Node) -> Entries:
@@ -82,6 +75,13 @@ def _mapping(node: Node) -> Entries:
     found = "a list" if isinstance(node, Items) else "nothing" if node.value is None else "a single value"
     help_ = "a scenario is a mapping of sections: schema_version, id, title, …"
     raise ScenarioError([node.mark.error(codes.WRONG_VALUE, f"expected a mapping, found {found}", help_)])
+
+
+def tree_of(data: Mapping[str, Any], shown: str) -> Entries:
+    """Return plain data as a tree; everything in it stands at the same place: the data as a whole."""
+    tree = _mapping(_wrapped(data, Mark(shown)))
+    to_version_2(tree)
+    return tree
 
 
 def _wrapped(data: Any, mark: Mark) -> Node:
@@ -111,8 +111,7 @@ def read_chain(source: Source) -> list[Source]:
             files = " → ".join(part.shown for part in chain)
             raise _refused(mark, f"too many bases behind each other: {files}", f"at most {MAX_CHAIN} are read")
         base = _base(leaf.value, chain[-1], mark)
-        known = [part.path.resolve() for part in chain if part.path is not None]
-        if base.path is not None and base.path.resolve() in known:
+        if base.path.resolve() in [part.path.resolve() for part in chain]:
             files = " → ".join([*(part.shown for part in chain), base.shown])
             raise _refused(mark, f"a file cannot extend itself: {files}")
         _refuse_newer(base)
@@ -160,8 +159,6 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     is_upwards_later = ".." in parts[len([part for part in parts if part == ".."]) :]
     if is_foreign or is_upwards_later or not name.endswith((".yaml", ".yml")):
         raise _refused(mark, f"'{name[:120]}' is not a relative path to a .yaml file", _FORMS)
-    if user.path is None:
-        raise _refused(mark, "a text has no folder for a relative path", "extend a preset or a shipped scenario")
     path = user.path.parent.joinpath(*parts)
     beside = _scenarios_in(path.parent)
     # Compared with the folder's listing: a name in other case works on some machines only.
@@ -179,16 +176,15 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
     """Return the shipped scenarios and presets that are extended by their bare names."""
     shipped = _shipped_files()
     if name in shipped:
-        own = own_of_that_name(shipped[name], user.path.parent) if user.path is not None else None
+        own = own_of_that_name(shipped[name], user.path.parent)
         # A file of the name that it extends does not extend itself.
-        if own is not None and user.path is not None and not own.samefile(user.path):
+        if own is not None and not own.samefile(user.path):
             message = f"a shipped scenario has this name, and {own.name} lies beside {user.shown}"
             raise _refused(mark, message, f"write {own.name} for that, or give it another name", codes.AMBIGUOUS_NAME)
         # A file that extends the match may be called match.yaml: errors must distinguish the two.
         shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
         return Source.of_file(shipped[name], shown)
-    beside = _scenarios_in(user.path.parent) if user.path is not None else []
-    own_files = [found for found in beside if user.path is None or found != user.path.name]
+    own_files = [found for found in _scenarios_in(user.path.parent) if found != user.path.name]
     hint = did_you_mean(name.replace("-", "_"), [*own_files, *shipped])
     known = choice_of("", [*names_in(scenarios_folder()), *names_in(presets_folder())])
     message = f"no preset or scenario '{name[:64]}' is shipped"
