@@ -18,11 +18,11 @@ from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import ranking
 from rcj_challenges.rules.effects import Emits, Ends
-from rcj_challenges.scenario.draw_order import places_of, series_of
+from rcj_challenges.scenario.draw_order import places_of
 from rcj_challenges.scenario.halves import by_seat
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, MatchExpectation, Scenario
 from rcj_challenges.scenario.models.state import Counter, Flag
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, as_tuple
 from rcj_challenges.tracking.state import Number
 
 if TYPE_CHECKING:
@@ -184,7 +184,7 @@ def _course(match: ScriptedMatch, lacks: Lacks) -> Iterable[str]:
 def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
     """Return notes on draws and spots that chance decided less often than the test decides them."""
     for name, left in match.referee.undecided().items():
-        series = series_of(expected.draws[name])
+        series = as_tuple(expected.draws[name])
         drawn = len(series) - len(left)
         yield f"note: {name} was drawn {times(drawn)}; draws decides {counted(len(series), 'value')}"
     for name, missing in match.referee.undecided_spots().items():

@@ -12,11 +12,11 @@ from rcj_challenges.core.amounts import plain, round_score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.rules.fields import Names, Scalar
-from rcj_challenges.scenario.draw_order import Series, drawable, series_of
+from rcj_challenges.scenario.draw_order import Series, drawable
 from rcj_challenges.scenario.halves import by_seat, by_team, half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, Phase
-from rcj_challenges.scenario.roster import ENTRANTS, Roster
+from rcj_challenges.scenario.roster import ENTRANTS, Roster, as_tuple
 from rcj_challenges.tracking.bound_rules import RuleHistory
 from rcj_challenges.tracking.state import Clock, RefereeState
 
@@ -128,7 +128,7 @@ class State(RefereeState):
             ValueError: a value is decided that the draw cannot have, or for a draw that does not exist.
         """
         for name, series in decided.items():
-            self._decided[name] = list(series_of(series))
+            self._decided[name] = list(as_tuple(series))
             known = self.chosen[name].values if name in self.chosen else ()
             wrong = [value for value in self._decided[name] if value not in known]
             if wrong:

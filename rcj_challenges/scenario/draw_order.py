@@ -12,11 +12,6 @@ Series = Scalar | tuple[Scalar, ...]
 """What a test decides of a draw: its first value, or its first values in order."""
 
 
-def series_of(decided: Series) -> tuple[Scalar, ...]:
-    """Return the values that a test decides, in order."""
-    return decided if isinstance(decided, tuple) else (decided,)
-
-
 def drawable(draw: Draw, left: Sequence[Scalar], last: Sequence[Scalar]) -> tuple[Sequence[Scalar], Sequence[Scalar]]:
     """Return the values that may be drawn now, and what is left of the round in which they are drawn.
 

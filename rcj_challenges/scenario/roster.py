@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import TypeVar
 
 from rcj_challenges.rules.effects import Touch
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.scenario.models.scenario import MAX_GROUPS, MAX_MEMBERS, Rule, Scenario
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, child, entries_of, node_at, value_of
+
+_T = TypeVar("_T")
 
 WALLS = "walls"
 ENTRANTS = "entrants"
@@ -33,9 +36,9 @@ _NOUN_OF_SECTION = {
 }  # fmt: skip
 
 
-def as_tuple(names: Names) -> tuple[str, ...]:
-    """Return names as a tuple: where several may be written, a single one need not stand in a list."""
-    return (names,) if isinstance(names, str) else names
+def as_tuple(written: _T | tuple[_T, ...]) -> tuple[_T, ...]:
+    """Return names or values as a tuple: where several may be written, a single one need not stand in a list."""
+    return written if isinstance(written, tuple) else (written,)
 
 
 def with_each(names: Names, each: str | None) -> tuple[str, ...]:
@@ -123,10 +126,6 @@ class Roster:
         defined = (noun for section, noun in _NOUN_OF_SECTION.items() if name in self.names(section))
         return next(defined, "group" if name in self.groups else "")
 
-    def of_kinds(self, kinds: frozenset[str]) -> list[str]:
-        """Return the names on the field that are of one of these kinds."""
-        return [name for name, kind in self.kinds.items() if kind in kinds]
-
     # --- what names stand for -----------------------------------------------------------------------------------------
 
     def expand(self, names: Names, each: str | None = None) -> tuple[str, ...]:
@@ -159,13 +158,9 @@ class Roster:
         found: list[str] = []
         for name in as_tuple(names):
             members = self.of_rule(name, group, each)
-            found += self.robots_of(members) if group == ENTRANTS else members
+            found += [robot for one in members for robot in self.teams[one]] if group == ENTRANTS else members
             found += () if members else (name,)
         return self.expand(tuple(found))
-
-    def robots_of(self, entrants: Iterable[str]) -> tuple[str, ...]:
-        """Return the robots of entrants."""
-        return tuple(robot for entrant in entrants for robot in self.teams[entrant])
 
     def may_be(self, names: Names, rule: Rule | None = None) -> tuple[str, ...]:
         """Return all that names may ever stand for: of a draw all among which it decides, in a rule also ``each``."""

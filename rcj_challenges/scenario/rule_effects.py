@@ -105,20 +105,17 @@ def for_other(rule: Rule, other: str) -> Rule:
 
 
 def with_names(value: Any, names: Mapping[str, str]) -> Any:
-    """Return a part of a rule with names in the place of others; the very same part if it says none of these.
+    """Return a part of a rule with names in the place of others.
 
     An entrant that is ``other`` stays: who drives a robot is known where it is read.
     """
     if isinstance(value, Strict):
-        changed = {name: _field(value, name, names) for name in type(value).model_fields}
-        update = {name: field for name, field in changed.items() if field is not getattr(value, name)}
-        return value.model_copy(update=update) if update else value
+        renamed = {name: _field(value, name, names) for name in type(value).model_fields}
+        return value.model_copy(update={name: new for name, new in renamed.items() if new != getattr(value, name)})
     if isinstance(value, tuple):
-        parts = tuple(with_names(part, names) for part in value)
-        return parts if any(new is not old for new, old in zip(parts, value, strict=True)) else value
+        return tuple(with_names(part, names) for part in value)
     if isinstance(value, dict):
-        entries = {key: with_names(part, names) for key, part in value.items()}
-        return entries if any(entries[key] is not part for key, part in value.items()) else value
+        return {key: with_names(part, names) for key, part in value.items()}
     return value
 
 

@@ -231,7 +231,8 @@ class _Walker:
             for name, members in several.items()
             if members and all(roster.kinds.get(one) in reference.kinds for one in members)
         )
-        return list(dict.fromkeys([*roster.of_kinds(reference.kinds), *fitting]))
+        of_its_kinds = (name for name, kind in roster.kinds.items() if kind in reference.kinds)
+        return list(dict.fromkeys([*of_its_kinds, *fitting]))
 
     def _unknown(self, reference: Reference, name: str, path: Path) -> _Wrong | None:
         sections = reference.sections if isinstance(reference, SectionRef) else _ON_FIELD
