@@ -421,7 +421,7 @@ class _Walker:
         """Check that one thing is named where a number is read of one."""
         several = next(iter(items_of(names)), names) if key == "distance" else names
         is_listed = any(map(texts, items_of(several)))
-        (name,) = texts(names)[:1] if key == "score" else ("",)
+        name = next(iter(texts(names)), "") if key == "score" else ""
         others = len(self.roster.keepers(scope.group)) - 1 if scope.group and self.roster.is_others(name) else 1
         if is_listed or ((others != 1 or name == ENTRANTS) and name not in self.roster.teams):
             help_ = f"name one, or write what is meant of several: {{sum: {{{key}: …}}}}, highest or lowest"
