@@ -15,7 +15,7 @@ from rcj_challenges.rules.binder import Binder, Scope
 from rcj_challenges.rules.effects import Effect, Moment, Writes, declared
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.refs import SectionRef, ref_of
+from rcj_challenges.rules.refs import SectionRef, refs_of
 from rcj_challenges.tracking.bound_rules import Act, Firing, Reader, Test
 from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 from rcj_challenges.tracking.state import Number
@@ -300,10 +300,9 @@ class Action(Word):
         """Return its effects: its ``EFFECT``, or the entries that its fields mark as written."""
         if self.EFFECT is not None:
             return (declared(self.EFFECT, self),)
-        references = ((name, ref_of(type(self), name)) for name in type(self).model_fields)
         return tuple(
             Writes(one.sections[0], getattr(self, name))
-            for name, one in references
+            for name, _, one, _ in refs_of(type(self))
             if isinstance(one, SectionRef) and one.is_written
         )
 

@@ -4,7 +4,6 @@ A field says so in its annotation, ``entity: Annotated[Names, ENTITIES]``. The c
 ``other`` and the made-up scenarios of the tests read it from there.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -87,16 +86,10 @@ def drawn_value(model: type[BaseModel], field: str) -> DrawnValue | None:
 
 
 @cache
-def refs_of(model: type[BaseModel]) -> list[tuple[str, Reference, Any]]:
-    """Return the fields of a model that name something: the key in the file, what it may name, and the default."""
-    return list(_refs_of(model))
-
-
-def _refs_of(model: type[BaseModel]) -> Iterator[tuple[str, Reference, Any]]:
-    for name, info in model.model_fields.items():
-        reference = ref_of(model, name)
-        if reference is not None:
-            yield info.alias or name, reference, info.default
+def refs_of(model: type[BaseModel]) -> list[tuple[str, str, Reference, Any]]:
+    """Return the fields of a model that name something: name, key in the file, what it may name, and the default."""
+    fields = ((name, ref_of(model, name), info) for name, info in model.model_fields.items())
+    return [(name, info.alias or name, one, info.default) for name, one, info in fields if one is not None]
 
 
 # --- what words name --------------------------------------------------------------------------------------------------

@@ -96,15 +96,11 @@ def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iter
 
 def _leads_to(root: Entries, roster: Roster, name: str, group: str) -> bool:
     """Return whether following a member leads back to the group."""
-    left, seen = [name], set()
-    while left:
-        current = left.pop()
-        if current == group:
-            return True
-        if current not in seen and current in roster.names("groups"):
-            seen.add(current)
-            left += texts(node_at(root, ("groups", current)))[:MAX_MEMBERS]
-    return False
+    groups, reached = roster.names("groups"), [name]
+    for one in reached:
+        members = dict.fromkeys(texts(node_at(root, ("groups", one)))[:MAX_MEMBERS])
+        reached += [member for member in members if member in groups and member not in reached]
+    return group in reached
 
 
 def removal_help(name: str, sections: Iterable[str], removed: Mapping[Path, Mark]) -> str:

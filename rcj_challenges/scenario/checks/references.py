@@ -330,7 +330,7 @@ class _Walker:
         robots = getattr(model, "OWNER", "") if is_of_robots else ""
         is_bounded = "draw" in node.entries and not _BOUNDS.isdisjoint(node.entries)
         found = []
-        for key, reference, default in refs_of(model):
+        for _, key, reference, default in refs_of(model):
             one = replace(reference, **_ONLY_ROBOTS) if key == robots and isinstance(reference, Ref) else reference
             one = replace(one, groups=True) if key == over and isinstance(one, Ref) else one
             one = replace(one, numbers=(-inf, inf)) if is_bounded and isinstance(one, SectionRef) else one

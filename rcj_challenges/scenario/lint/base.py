@@ -11,7 +11,7 @@ from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.effects import Effect, Places, PlacesLayout, Removes, SetsPhase
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.refs import Ref, Reference, ref_of
+from rcj_challenges.rules.refs import Ref, Reference, refs_of
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.rule_effects import alternatives
@@ -52,14 +52,12 @@ class LintContext:
     @cached_property
     def uses(self) -> list[Use]:
         """All places where something that is defined elsewhere is named."""
-        found = []
-        for model, path in self.models:
-            for name, info in type(model).model_fields.items():
-                reference = ref_of(type(model), name)
-                if reference is not None:
-                    at = (*path, info.alias or name)
-                    found += [Use(type(model), at, text, reference) for text in _names(getattr(model, name), reference)]
-        return found
+        return [
+            Use(type(model), (*path, key), text, reference)
+            for model, path in self.models
+            for name, key, reference, _ in refs_of(type(model))
+            for text in _names(getattr(model, name), reference)
+        ]
 
     @cached_property
     def entered_phases(self) -> frozenset[str]:
