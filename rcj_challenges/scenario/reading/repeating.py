@@ -339,18 +339,15 @@ def _line(other: Mark, here: Mark) -> str:
 
 def merged(problems: Iterable[Diagnostic], repeated: Mapping[tuple[str, str], Repeated]) -> list[Diagnostic]:
     """Return problems in their order; the same one of several copies of one entry is reported once, of it."""
-    pairs = [(problem, _of_written(problem, repeated)) for problem in problems]
-    about: dict[Diagnostic, set[str]] = {}
-    for problem, written in pairs:
-        about.setdefault(written, set()).add(entry_of(problem)[1])
-    found: dict[Diagnostic, None] = {}
-    for problem, written in pairs:
-        names = sorted(about[written])
-        section, entry = entry_of(written)
-        of_all = {name for (place, name), one in repeated.items() if (place, one.entry) == (section, entry)}
-        which = "" if of_all <= about[written] else f" ({listing(names)})"
-        found[problem if len(names) == 1 else replace(written, message=written.message + which)] = None
-    return list(found)
+    about: dict[Diagnostic, dict[str, Diagnostic]] = {}
+    for problem in problems:
+        about.setdefault(_of_written(problem, repeated), {})[entry_of(problem)[1]] = problem
+    found: list[Diagnostic] = []
+    for written, copies in about.items():
+        of_all = {name for (section, name), one in repeated.items() if (section, one.entry) == entry_of(written)}
+        which = "" if of_all <= copies.keys() else f" ({listing(sorted(copies))})"
+        found += [replace(written, message=written.message + which)] if len(copies) > 1 else copies.values()
+    return found
 
 
 def entry_of(problem: Diagnostic) -> tuple[str, str]:
