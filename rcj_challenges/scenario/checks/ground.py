@@ -117,36 +117,29 @@ class Body:
     name: str
     path: Path
     parts: tuple[Part, ...]
-    fixed: bool = False
+    fixed: bool
 
 
 def _bodies(scenario: Scenario) -> Iterator[Diagnostic]:
-    bodies = [*_movable(scenario), *obstacle_bodies(scenario)]
-    floor = Floor(scenario.field)
-    for body in bodies:
+    """Yield what stands outside or in a wall, and what overlaps others that stand before it in the file."""
+    floor, bounds = Floor(scenario.field), scenario.field.bounds
+    before: list[tuple[Body, tuple[float, float, float, float]]] = []
+    for body in bodies_at_start(scenario):
+        x_0, x_1, y_0, y_1 = extent(body.parts)
         if not body.fixed and not floor.holds(body.parts):
-            x_0, x_1, y_0, y_1 = extent(body.parts)
             message = (
                 f"'{body.name}' stands outside the field or in a wall: it covers x {x_0:.3f} to {x_1:.3f}, "
                 f"y {y_0:.3f} to {y_1:.3f}"
             )
-            bounds = scenario.field.bounds
             help_ = f"the floor ends at x = ±{bounds.width_m / 2:g}, y = ±{bounds.length_m / 2:g}"
             yield issue(codes.OUTSIDE_FIELD, body.path, message, help_)
-    yield from _overlaps(bodies)
-
-
-def _overlaps(bodies: list[Body]) -> Iterator[Diagnostic]:
-    """Yield each body that overlaps others which stand before it in the file."""
-    extents = [extent(body.parts) for body in bodies]
-    for body, (x_0, x_1, y_0, y_1) in zip(bodies, extents, strict=True):
-        met = []
-        for other, (left, right, low, high) in zip(bodies, extents, strict=True):
-            if other is body:
-                break
-            is_near = left < x_1 and x_0 < right and low < y_1 and y_0 < high
-            if is_near and not (body.fixed and other.fixed) and overlap(other.parts, body.parts):
-                met.append(other)
+        near = (
+            other
+            for other, (left, right, low, high) in before
+            if left < x_1 and x_0 < right and low < y_1 and y_0 < high
+        )
+        met = [one for one in near if not (body.fixed and one.fixed) and overlap(one.parts, body.parts)]
+        before.append((body, (x_0, x_1, y_0, y_1)))
         if met:
             names = listing((f"'{other.name}'" for other in met), 4)
             help_ = "move one of them; what comes there later is put there by a rule"
@@ -154,16 +147,14 @@ def _overlaps(bodies: list[Body]) -> Iterator[Diagnostic]:
             yield issue(codes.OVERLAPPING_BODIES, body.path, message, help_, other=met[0].path)
 
 
-def _movable(scenario: Scenario) -> Iterator[Body]:
-    robots = (("robots", name, "start") for name, robot in scenario.robots.items() if robot.kit in scenario.kits)
-    for path in (*robots, *(("balls", name, "start_m") for name in scenario.balls)):
-        yield Body(path[1], path, outline_of(scenario, path[1]).at(start_pose(scenario, path[1])))
-
-
-def obstacle_bodies(scenario: Scenario) -> Iterator[Body]:
-    """Yield the obstacles where they stand at the start; each has one part. Walls that are points have none."""
-    for name, obstacle in scenario.obstacles.items():
-        if _is_a_point(obstacle):
+def bodies_at_start(scenario: Scenario) -> Iterator[Body]:
+    """Yield what stands on the floor at the start, but robots without a kit and walls that are points."""
+    found = [("robots", name, "start") for name in scenario.robots]
+    found += [("balls", name, "start_m") for name in scenario.balls]
+    found += [("obstacles", name, "") for name, obstacle in scenario.obstacles.items() if not _is_a_point(obstacle)]
+    for section, name, key in found:
+        if name in scenario.robots and scenario.robots[name].kit not in scenario.kits:
             continue
+        is_fixed = section == "obstacles" and not getattr(scenario.obstacles[name], "movable", False)
         parts = outline_of(scenario, name).at(start_pose(scenario, name))
-        yield Body(name, ("obstacles", name), parts, fixed=isinstance(obstacle, Wall) or not obstacle.movable)
+        yield Body(name, (section, name, key) if key else (section, name), parts, is_fixed)

@@ -10,7 +10,7 @@ from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.effects import HalfStart, Places, Removes, SetsPhase
 from rcj_challenges.rules.placement import places
-from rcj_challenges.scenario.checks.ground import obstacle_bodies
+from rcj_challenges.scenario.checks.ground import bodies_at_start
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import Rule
@@ -116,7 +116,7 @@ class NoRoom(LintRule, code="no-room"):
             for layout, placings in ctx.scenario.placements.items()
         ]
         floor = Floor(ctx.scenario.field)
-        fixed = [body.parts for body in obstacle_bodies(ctx.scenario) if body.fixed]
+        fixed = [body.parts for body in bodies_at_start(ctx.scenario) if body.fixed]
         spots = fixed_spots(ctx.scenario)
         for group in groups:
             standing: dict[str, tuple[Part, ...]] = {}
