@@ -37,6 +37,8 @@ CASES = [
     (rule(rest=f"    says: {'x' * 501}\n"), "wrong-value rules.r.says"),
     (place("at: centre"), "wrong-value rules.r.actions[0] (place).at"),
     (place("at: {spot: [centre]}"), "wrong-value rules.r.actions[0] (place).at.spot"),
+    (place("at: {spot: [centre, x]}"), "wrong-value rules.r.actions[0] (place).at.spot"),
+    ("counters: {c: {per: [robots, x]}}\n", "wrong-value counters.c.per"),
     (place("at: {point: [0, 0], spot: centre}"), "unknown-key rules.r.actions[0] (place).at"),
     (place("at: {on_line: [[0, 0], [1]]}"), "wrong-value rules.r.actions[0] (place).at.on_line[1]"),
     (place("at: start, facing: {towards: [0]}"),

@@ -108,9 +108,11 @@ class _Walker:
         if texts(group):
             scope = self._scope_of_group(group)
         for key, reference, default in self._refs_of(model, node, path):
-            if key in node.entries:
-                self._values(reference, node.entries[key], (*path, key), path)
-                for name, at in _names_in(node.entries[key], (*path, key), reference):
+            if (named := node.entries.get(key)) is not None:
+                if isinstance(named, Items) and step_into(fields(model)[key], named, 0) is None:
+                    continue  # a list where one name is expected, which is reported as such
+                self._values(reference, named, (*path, key), path)
+                for name, at in _names_in(named, (*path, key), reference):
                     if wrong := self._wrong(reference, name, at, scope):
                         self.add(wrong[0], at, wrong[1], wrong[2], at_key=reference.keys)
             elif isinstance(default, str) and self._wrong(reference, default, path, scope) is not None:
