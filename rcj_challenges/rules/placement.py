@@ -135,7 +135,7 @@ class Kick(Strict):
             drawn = sorted({float(mps) for mps in phrases.draw_values(speed.draw)})
             return f"at {listed([number(mps) for mps in drawn], 'or')} m/s, as {quoted_measure(speed.draw)} is drawn,"
         if isinstance(speed, ValueWord):
-            return f"at as many m/s as {amount_words(phrases, speed)} tells, {MAX_KICK_MPS} at most,"
+            return f"with {amount_words(phrases, speed)} as its speed in m/s (at most {MAX_KICK_MPS})"
         speeds = speed if isinstance(speed, tuple) else (speed,)
         return f"at {' to '.join(dict.fromkeys(map(number, speeds)))} m/s"
 

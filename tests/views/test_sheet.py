@@ -265,6 +265,13 @@ def test_a_period_has_its_name_in_full_rules_too():
     assert sentence(rule, more).endswith("is set to the number of the hole, then the hole ends.")
 
 
+def test_a_ball_is_kicked_at_the_speed_of_a_counter():
+    kick = "{towards: {spot: centre}, speed_mps: {counter: power}}"
+    rule = f"triggers: [{{trigger: half_started}}], actions: [{{action: place, entity: ball, at: start, kick: {kick}}}]"
+    rolls = "and rolls with the counter “power” as its speed in m/s (at most 3) towards the spot “centre”."
+    assert sentence(rule, "counters: {power: {initial: 1}}").endswith(rolls)
+
+
 @pytest.mark.parametrize(
     ("condition", "words"),
     [
