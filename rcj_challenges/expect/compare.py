@@ -12,6 +12,7 @@ from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.play import Event
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.phrasing import spelled
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 
 _COUNTS_AS_EQUAL = 1e-9
@@ -84,9 +85,7 @@ def shown(value: object) -> str:
     """Return a value as differences show it."""
     if value is None:
         return "nothing"
-    if isinstance(value, bool):
-        return str(value).lower()
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    return f"{value:g}" if isinstance(value, float) else spelled(value)
 
 
 # --- events -----------------------------------------------------------------------------------------------------------

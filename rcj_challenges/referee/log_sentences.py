@@ -9,7 +9,7 @@ from rcj_challenges.core.amounts import add_up, distinct_decimals, number_words,
 from rcj_challenges.referee.bodies import Bodies, PlacementBoard
 from rcj_challenges.referee.placement import PlacementJob, PlacementSpec
 from rcj_challenges.referee.state import State
-from rcj_challenges.rules.phrasing import plain
+from rcj_challenges.rules.phrasing import plain, spelled
 from rcj_challenges.rules.values.word import team_name_of
 from rcj_challenges.scenario.placeholders import counted
 from rcj_challenges.tracking.bound_rules import Firing
@@ -49,7 +49,7 @@ def _named(name: str, state: State, firing: Firing) -> str:
     """Return what a counter, a draw or a role is now: of a counter that each has, that of the rule's own."""
     if name in state.draws:
         drawn = state.draws[name]
-        return "none" if drawn is None else plain(str(drawn))
+        return "none" if drawn is None else plain(spelled(drawn))
     kept = state.counters[name]
     owned = kept if isinstance(kept, dict) else {}
     owner = next((one for one in (firing.rule.each, firing.rule.entrant, firing.subject) if one in owned), None)

@@ -70,6 +70,11 @@ def plain(name: str) -> str:
     return name.replace("_", " ")
 
 
+def spelled(value: object) -> str:
+    """Return a single value as it stands in a file, without quotes."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
 def quoted(name: str) -> str:
     """Return the name of something that cannot be seen on the field, in quotes: ``“goal pause”``."""
     return f"“{plain(name)}”"

@@ -104,6 +104,12 @@ class TestValueWord:
         assert set(FACTS) == set(literal.__args__)
 
 
+def test_a_drawn_yes_or_no_is_said_as_it_is_written(stage):
+    rule = on_fault("Y1", "{action: score, entrant: blue}", more='says: "It is {open}.",')
+    play = fail(stage("draws: {open: {values: [true]}}", rule))
+    assert play.firings[0].says == "It is true."
+
+
 def test_a_name_that_looks_like_a_placeholder_stays_a_name(stage):
     rule = on_fault("Y1", "{action: score, entrant: blue}", more='says: "{team} {entity}",')
     play = fail(stage(rule, team_names={"blue": "B", "yellow": "{entity} {limit}"}))

@@ -12,7 +12,7 @@ from pydantic import Field
 from rcj_challenges.rules.base import Binder, Firing, KeyedVocabulary, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, NotNegative, Positive, Scalar
 from rcj_challenges.rules.number import NUMBERS, Amount, amount_words, compile_amount
-from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.phrasing import seconds, spelled
 from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.distance import DistanceValue
@@ -125,7 +125,7 @@ def value_words(phrases: Phrases, value: Value) -> str:
     """Return a value of the scenario in words."""
     if isinstance(value, ValueWord):
         return value.describe_all(phrases)
-    return str(value).lower() if isinstance(value, bool) else str(value)
+    return spelled(value)
 
 
 def duration_words(phrases: Phrases, lasts_s: Lasts) -> str:

@@ -14,6 +14,7 @@ from rcj_challenges.rules.base import Condition, PlaceWord, Trigger, Vocabulary
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.effects import AtTime, Draws, SetsSpot
 from rcj_challenges.rules.fields import Strict
+from rcj_challenges.rules.phrasing import spelled
 from rcj_challenges.rules.placement import Kick
 from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.rules.ranked import counters_in
@@ -22,7 +23,6 @@ from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_half, longest_half_s
-from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.designs import Guideline, Part
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, MatchExpectation, Rule, Scenario

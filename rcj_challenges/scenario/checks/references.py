@@ -13,13 +13,14 @@ from typing import Any, NamedTuple
 from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic, issue
 from rcj_challenges.rules.base import Condition, Trigger
+from rcj_challenges.rules.phrasing import spelled
 from rcj_challenges.rules.refs import ROBOTS, Ref, Reference, SectionRef, drawn_value, refs_of
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.rules.values import FOLDS
 from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.checks.naming import removal_help
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
-from rcj_challenges.scenario.messages.wording import format_node, spelled
+from rcj_challenges.scenario.messages.wording import format_node
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence, Timer

@@ -11,7 +11,7 @@ from rcj_challenges.core.colours import CSS_COLOURS
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.fields import NAME_RULE, Colour, EventName, Name, Names, Point
 from rcj_challenges.rules.message import SaidText
-from rcj_challenges.rules.phrasing import listed
+from rcj_challenges.rules.phrasing import listed, spelled
 from rcj_challenges.scenario.errors import cut, did_you_mean, listing
 from rcj_challenges.scenario.models.robots import EntryPoint
 from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_named, is_union, members, without_none
@@ -41,11 +41,6 @@ def format_node(node: Node | None) -> str:
     if node is None or node.value is None:
         return "nothing"
     return quoted(node.value) if isinstance(node.value, str) else node.written or spelled(node.value)
-
-
-def spelled(value: object) -> str:
-    """Return a single value as it stands in a file, without quotes."""
-    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def quoted(text: str) -> str:

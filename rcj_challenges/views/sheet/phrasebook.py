@@ -7,7 +7,7 @@ from typing import Any
 from rcj_challenges.core.amounts import Noun
 from rcj_challenges.rules.effects import Removes
 from rcj_challenges.rules.fields import Names, Scalar
-from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
+from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure, spelled
 from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -255,7 +255,7 @@ class Phrasebook:
     def drawn(self, draw: str, written: Scalar) -> str:
         if isinstance(written, str) and written in BOUND and written not in self.scenario.draws[draw].values:
             return self.thing(written)
-        return quoted(str(written).lower() if isinstance(written, bool) else str(written))
+        return quoted(spelled(written))
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         return self.scenario.draws[draw].values
