@@ -55,8 +55,8 @@ def check_version(record: int, name: str) -> None:
         raise RecordError(codes.RECORD_TOO_OLD, f"{message} only", help_)
 
 
-def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
-    """Open a file of a record for reading.
+def read_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes:
+    """Return the contents of a file of a record.
 
     Records are untrusted: a named pipe in place of a file would block for ever, a device might never end.
 
@@ -64,26 +64,15 @@ def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
         RecordError: it is a pipe or a device, or too large.
         OSError: it is missing, a folder, or cannot be read.
     """
-    file = open_without_waiting(path)
-    found = os.fstat(file.fileno())
-    if stat.S_ISREG(found.st_mode) and found.st_size <= max_bytes:
-        return file
-    file.close()
+    with open_without_waiting(path) as file:
+        found = os.fstat(file.fileno())
+        if stat.S_ISREG(found.st_mode) and found.st_size <= max_bytes:
+            return file.read(found.st_size)  # a number, because it may grow meanwhile
     if stat.S_ISREG(found.st_mode):
         message = f"{path.parent.name}: {path.name} has {found.st_size / 1e6:.0f} MB, more than {max_bytes / 1e6:.0f}"
         raise RecordError(codes.RECORD_TOO_LARGE, message, "no run writes such a file: copy the whole record again")
     message = f"{path.parent.name}: {path.name} is a pipe or a device, not a file"
     raise RecordError(codes.RECORD_NOT_A_FILE, message, COPY_AGAIN)
-
-
-def read_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes:
-    """Return the contents of a file of a record.
-
-    Raises:
-        RecordError, OSError: as for `open_file`.
-    """
-    with open_file(path, max_bytes) as file:
-        return file.read(os.fstat(file.fileno()).st_size)  # a number, because it may grow meanwhile
 
 
 def write_all(file: Any, pending: bytearray) -> None:
