@@ -9,7 +9,6 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any, Self
 
-from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.changes import Change, ScoreChange
 from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import TICK_S
@@ -87,20 +86,15 @@ class RecordWriter:
             RecordError: the folder cannot be made.
         """
         self._now = now
-        self._started = now()
+        started = now()
         self._header = header
         scenario = header.scenario.dumped()
-        self._inputs = inputs_digest(header.scenario, header.seed, header.programs)
         self._states = StatesDigest()
         self._copies = copies_of_rules(header.unresolved)
         self._half: HalfInfo | None = None
-        self._events: list[dict[str, Any]] = []
-        self._faults: list[dict[str, Any]] = []
-        self._halves: list[dict[str, Any]] = []
-        self._scores: dict[str, Score] = dict.fromkeys(header.team_names, 0)
-        self._result: dict[str, Any] | None = None
-        self._versions = versions().model_dump()
-        self.folder = make_run_folder(out, name or folder_name(self._started, header.scenario.id))
+        self._fields = _first_fields(header, timestamp(started))
+        self._result: dict[str, Any] = {}
+        self.folder = make_run_folder(out, name or folder_name(started, header.scenario.id))
         # First, and not through a temporary file: wherever a kill comes, only a folder with a result is a record.
         self._begin()
         self.logs = self.folder / LOGS
@@ -133,13 +127,13 @@ class RecordWriter:
     @property
     def result(self) -> dict[str, Any]:
         """The current content of ``result.json``."""
-        return dict(self._result or {})
+        return dict(self._result)
 
     def begin_half(self, half: HalfInfo) -> None:
         """Begin a half; its ticks follow, tick 0 (the start, before physics) first."""
         self._trajectory.begin_half(half)
         self._half = half
-        self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}
+        self._fields["score"] |= {half.teams[seat]: points for seat, points in half.scores.items()}
         self._states.half(half.half)
 
     def tick(self, snapshot: Snapshot, output: RefereeOutput, state: bytes, poses: bytes = b"") -> None:
@@ -157,7 +151,7 @@ class RecordWriter:
         self._trajectory.append(snapshot, output.placements, poses)
         if output.firings or output.events or output.changes or snapshot.faults:
             self._log(self._half, events_of(snapshot, output), output.firings, output.changes)
-            self._faults += [self._fault(fault, self._half) for fault in snapshot.faults]
+            self._fields["faults"] += [self._fault(fault, self._half) for fault in snapshot.faults]
 
     def end_half(self, closing: RefereeOutput, ended: str | None = None) -> None:
         """End the half; ``ended`` is the reason of the rule that ended it (or the match), None if the time was up."""
@@ -174,7 +168,7 @@ class RecordWriter:
         and ``complete: False`` with ``stopped`` for a run that was not played to its end.
         """
         states = self._states.hexdigest()
-        digests = {"states": states, "digest": run_digest(self._inputs, states)}
+        digests = {"states": states, "digest": run_digest(self._fields["inputs"], states)}
         fields = {"complete": True} | digests | dict(result or {})
         self._reflog.close()
         self._referee_log.close()
@@ -200,9 +194,11 @@ class RecordWriter:
 
     def _close_half(self, half: HalfInfo, ended: str | None, *, complete: bool) -> None:
         # An interruption in here closes it a second time.
-        if half.half not in [one["half"] for one in self._halves]:
-            facts = {"half": half.half, "sides": dict(half.teams), "score": dict(self._scores)}
-            self._halves.append(facts | {"ticks": self._trajectory.ticks, "ended": ended, "complete": complete})
+        if half.half not in [one["half"] for one in self._fields["halves"]]:
+            facts = {"half": half.half, "sides": dict(half.teams), "score": dict(self._fields["score"])}
+            self._fields["halves"].append(
+                facts | {"ticks": self._trajectory.ticks, "ended": ended, "complete": complete}
+            )
         self._half = None
 
     def _log(
@@ -212,11 +208,11 @@ class RecordWriter:
             write_all(self._reflog, bytearray(reflog_lines(events, timestamp(self._now()))))
         for event in events:
             self._states.event(event)
-        self._events += [event_line(half.half, event) for event in events]
+        self._fields["events"] += [event_line(half.half, event) for event in events]
         write_all(self._referee_log, bytearray(log_lines(half.half, events, firings, changes, self._copies)))
         for change in changes:
             if isinstance(change, ScoreChange):
-                self._scores |= {half.teams[seat]: points for seat, points in change.scores.items()}
+                self._fields["score"] |= {half.teams[seat]: points for seat, points in change.scores.items()}
 
     def _fault(self, fault: Fault, half: HalfInfo) -> dict[str, Any]:
         entrants = self._header.scenario.entrants
@@ -229,37 +225,39 @@ class RecordWriter:
             file.write(line)
 
     def _result_line(self, more: Mapping[str, Any]) -> bytes:
-        header = self._header
-        simulated_s = round(sum(half["ticks"] for half in self._halves) * TICK_S, 3)
-        entrants = {
-            team: {"name": name, "programs": header.programs[team], "members": header.members.get(team, ())}
-            for team, name in header.team_names.items()
-        }
-        fields: dict[str, Any] = {
-            "record": RECORD_VERSION,
-            "complete": False,
-            "stopped": None,
-            "scenario": header.scenario.id,
-            "title": header.scenario.title,
-            "started": timestamp(self._started),
-            "seed": header.seed,
-            "match_id": header.match_id,
-            "entrants": entrants,
-            "score": dict(self._scores),
-            "halves": self._halves,
-            "events": self._events,
-            "faults": self._faults,
-            "inputs": self._inputs,
-            "states": "",
-            "digest": "",
-            "simulated_s": simulated_s,
-            "wall_s": 0.0,
-            "real_time_factor": 0.0,
-            "versions": self._versions,
-            "sandbox": dict(header.sandbox),
-            "marks": list(header.marks),
-        } | dict(more)
+        simulated_s = round(sum(half["ticks"] for half in self._fields["halves"]) * TICK_S, 3)
+        fields = {**self._fields, "simulated_s": simulated_s, **more}
         if fields["wall_s"] > 0 and "real_time_factor" not in more:
             fields["real_time_factor"] = round(fields["simulated_s"] / fields["wall_s"], 2)
         self._result = RunResult.model_validate(fields).model_dump(mode="json")
         return json_line(self._result)
+
+
+def _first_fields(header: RunHeader, started: str) -> dict[str, Any]:
+    """Return the fields of the result of a run that begins."""
+    return {
+        "record": RECORD_VERSION,
+        "complete": False,
+        "stopped": None,
+        "scenario": header.scenario.id,
+        "title": header.scenario.title,
+        "started": started,
+        "seed": header.seed,
+        "match_id": header.match_id,
+        "entrants": {
+            team: {"name": name, "programs": header.programs[team], "members": header.members.get(team, ())}
+            for team, name in header.team_names.items()
+        },
+        "score": dict.fromkeys(header.team_names, 0),
+        "halves": [],
+        "events": [],
+        "faults": [],
+        "inputs": inputs_digest(header.scenario, header.seed, header.programs),
+        "states": "",
+        "digest": "",
+        "wall_s": 0.0,
+        "real_time_factor": 0.0,
+        "versions": versions().model_dump(),
+        "sandbox": dict(header.sandbox),
+        "marks": list(header.marks),
+    }
