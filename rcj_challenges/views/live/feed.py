@@ -16,7 +16,6 @@ from __future__ import annotations
 import json
 import struct
 import threading
-from bisect import bisect_right
 from typing import Any
 
 KEEP_ALIVE = struct.pack("<BI", 0, 0)
@@ -55,23 +54,20 @@ class Feed:
     """A sequence of bytes that only grows: one thread writes, any number of threads read."""
 
     def __init__(self) -> None:
-        self._chunks: list[bytes] = []
-        self._ends: list[int] = []
+        self._data = bytearray()
         self._news = threading.Condition()
         self._closed = False
 
     @property
     def size_bytes(self) -> int:
         """The length so far."""
-        with self._news:  # which may be held already
-            return self._ends[-1] if self._ends else 0
+        return len(self._data)
 
     def append(self, chunk: bytes) -> None:
         """Add whole messages and wake all readers that wait."""
         if chunk:
             with self._news:
-                self._chunks.append(chunk)
-                self._ends.append(self.size_bytes + len(chunk))
+                self._data += chunk
                 self._news.notify_all()
 
     def close(self) -> None:
@@ -81,20 +77,12 @@ class Feed:
             self._news.notify_all()
 
     def read(self, start: int, wait_s: float) -> bytes | None:
-        """Return the bytes from a place on, at most 64 KB or one chunk, after waiting for them if there are none yet.
+        """Return the bytes from a place on, at most 64 KB, after waiting for them if there are none yet.
 
         They are empty if none came within ``wait_s``, None at the end of the feed.
         """
         with self._news:
             if start >= self.size_bytes and not self._closed:
                 self._news.wait(wait_s)
-            size = self.size_bytes
-            if start >= size:
-                return None if self._closed else b""
-            first = bisect_right(self._ends, start)
-            last = first + 1
-            while last < len(self._ends) and self._ends[last] - start <= _MAX_AT_ONCE:
-                last += 1
-            chunks = self._chunks[first:last]
-            begin = self._ends[first] - len(self._chunks[first])
-        return b"".join(chunks)[start - begin :]
+            data = bytes(self._data[start : start + _MAX_AT_ONCE])
+            return None if self._closed and not data else data
