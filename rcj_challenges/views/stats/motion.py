@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -46,12 +47,12 @@ def motion_of(half: HalfTrack) -> Motion:
     return Motion(places, np.where(np.isfinite(steps) & on_field, steps, 0.0), on_field)
 
 
-def play_mask(ticks: int, phases: list[tuple[int, bool]]) -> Array:
+def play_mask(ticks: int, phases: Iterable[Sequence[Any]]) -> Array:
     """Return ``[T]``: whether a tick was play: no kick-off was awaited as it began.
 
-    Phases are tick and flag of each change, in order; the flag holds for the ticks after it.
+    Phases are tick, name and flag of each change, in order; the flag holds for the ticks after it.
     """
     play = np.ones(ticks, bool)
-    for tick, waiting in phases:
+    for tick, _, waiting in phases:
         play[max(0, tick) :] = not waiting
     return play

@@ -41,8 +41,7 @@ def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
     log = run.log.up_to({half.info.half: half.ticks for half in run.halves})
     timeline = timeline_of(run.scenario, run.halves, log)
     for half in run.halves:
-        phases = timeline.halves[half.info.half].changes["phases"]
-        counting.half(half, [(tick, is_waiting) for tick, _, is_waiting in phases])
+        counting.half(half, play_mask(half.ticks, timeline.halves[half.info.half].changes["phases"]))
     for event in timeline.events:
         counting.call(event)
     for fault in run.result.faults:
@@ -83,9 +82,8 @@ class _RunCounter:
         robots = self._stats.teams.setdefault(self._names[team], TeamTally()).robots
         return robots.setdefault(self._labels.get((team, name), name), Tally())
 
-    def half(self, half: HalfTrack, phases: list[tuple[int, bool]]) -> None:
-        """Add a half; ``phases`` are as of `play_mask`."""
-        play = play_mask(half.ticks, phases)
+    def half(self, half: HalfTrack, play: Any) -> None:
+        """Add a half; ``play`` is the result of `play_mask`."""
         self._stats.ticks += half.ticks
         play_ticks = int(play.sum())
         ball_ticks = play_ticks * self._roster.balls

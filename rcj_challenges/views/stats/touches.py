@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -49,25 +50,16 @@ def owners(contacts: Contacts, seats: Sequence[str | None], ticks: int, placed_a
 
     If robots of two seats touch it in one sub-step, it keeps its owner. It loses it when it is put elsewhere.
     """
-    found = np.full(ticks, -1)
-    lost = sorted(placed_at)
-    substeps, robots = contacts.substeps, contacts.robots
-    edges = np.flatnonzero(np.diff(substeps, prepend=-1))
-    owner, filled = -1, 0
-    for first, end in zip(edges.tolist(), [*edges[1:].tolist(), len(substeps)], strict=False):
-        tick = int(substeps[first]) // SUBSTEPS_PER_TICK
-        while lost and lost[0] <= tick:
-            found[filled : lost[0]] = owner
-            filled, owner = max(filled, lost.pop(0)), -1
-        found[filled:tick] = owner
-        filled = max(filled, tick)
-        touching = robots[first:end].tolist()
-        if len({seats[robot] for robot in touching}) == 1 and owner not in touching:
-            owner = touching[0]
-    for tick in lost:
-        found[filled:tick] = owner
-        filled, owner = max(filled, tick), -1
-    found[filled:] = owner
+    touching: dict[int, list[int]] = {}
+    for substep, robot in zip(contacts.substeps.tolist(), contacts.robots.tolist(), strict=True):
+        touching.setdefault(substep, []).append(robot)
+    changes: list[tuple[int, list[int]]] = [(tick, []) for tick in placed_at]  # before contacts of the next tick
+    changes += [(substep // SUBSTEPS_PER_TICK, those) for substep, those in touching.items()]
+    found, owner = np.full(ticks, -1), -1
+    for tick, those in sorted(changes, key=itemgetter(0)):
+        if owner not in those and len({seats[robot] for robot in those}) <= 1:
+            owner = those[0] if those else -1
+            found[tick:] = owner
     return found
 
 
