@@ -67,11 +67,9 @@ CHANGES = ("score_changes", "counted", "phases", "held")
 
 @dataclass
 class HalfTimeline:
-    """One half; teams are by seat, the score at its start is by team."""
+    """One half, and what changed in it."""
 
-    half: int
-    teams: Mapping[str, str]
-    first_score: Mapping[str, Score]
+    info: HalfInfo
     changes: Changes = field(default_factory=lambda: {name: [] for name in CHANGES})
 
 
@@ -93,14 +91,14 @@ class TimelineBuilder:
         self._emitted = {name: [one.event for one in rule.effects(Emits)] for name, rule in scenario.rules.items()}
         self._ranking = RankingCounters(scenario)
         self._unannounced: Counter[str] = Counter()
-        self._half = HalfTimeline(0, {}, {})
+        self._half: HalfTimeline
         self._score: Mapping[str, Score] = {}
         self._after: dict[int, Mapping[str, Score]] = {}
 
     def begin_half(self, half: HalfInfo) -> None:
         """Begin a half; its ticks follow."""
         self._score = {half.teams[seat]: points for seat, points in half.scores.items()}
-        self._half = self.timeline.halves[half.half] = HalfTimeline(half.half, half.teams, self._score)
+        self._half = self.timeline.halves[half.half] = HalfTimeline(half)
         self._unannounced.clear()
         self._ranking.begin(half)
 
@@ -130,12 +128,12 @@ class TimelineBuilder:
         self._after.clear()
         scoring = [firing for firing in firings if any(firing.scored.values())]
         for firing in scoring[:-1]:
-            points = {self._half.teams.get(seat, seat): number for seat, number in firing.scored.items()}
+            points = {self._half.info.teams.get(seat, seat): number for seat, number in firing.scored.items()}
             score = {team: round_score(number + points.get(team, 0)) for team, number in score.items()}
             self._after[id(firing)] = score
 
     def _rows(self, changes: Iterable[Change]) -> Iterator[tuple[str, list[Any]]]:
-        teams = self._half.teams
+        teams = self._half.info.teams
         for change in changes:
             match change:
                 case PhaseChange(tick, phase, is_waiting):
@@ -179,7 +177,7 @@ class TimelineBuilder:
     def _event(self, event: Event, cause: Firing | None, fault: Fault | None, *, is_first: bool) -> TimelineEvent:
         tick = event.tick if fault is None else fault.tick
         score = self._after.get(id(cause), self._score)
-        return TimelineEvent(self._half.half, tick, event.name, event.payload, cause, fault, is_first, score)
+        return TimelineEvent(self._half.info.half, tick, event.name, event.payload, cause, fault, is_first, score)
 
 
 def timeline_of(scenario: Scenario, halves: Iterable[HalfTrack], log: RefereeLog) -> Timeline:

@@ -91,7 +91,7 @@ class LiveObserver(Observer):
             self._event_facts = EventFacts(
                 self._scenario, distinct_names(named, sides_change=changes_sides(self._scenario))
             )
-            facts = half_facts(self._scenario, half, self._builder.timeline.halves[half.half])
+            facts = half_facts(self._scenario, self._builder.timeline.halves[half.half])
             self._feed.append(json_message({"say": "half", "facts": facts}))
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from rcj_challenges.core.amounts import Score, distinct_decimals, number_words
-from rcj_challenges.core.play import Fault, HalfInfo
+from rcj_challenges.core.play import Fault
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.triggers import TRIGGERS
@@ -36,23 +36,18 @@ _UNITS = {
 
 
 def half_facts(
-    scenario: Scenario,
-    info: HalfInfo,
-    half: HalfTimeline,
-    ticks: int = 0,
-    jumps: Jumps = (),
-    faults: Iterable[Fault] = (),
+    scenario: Scenario, half: HalfTimeline, ticks: int = 0, jumps: Jumps = (), faults: Iterable[Fault] = ()
 ) -> dict[str, Any]:
     """Return a half as the page has it: what changes as a list for each thing, ``[tick, value]`` in order."""
     # A rule that counts in each tick would fill the page: of each stretch only the last value is kept.
-    counted = half.changes["counted"]
+    info, counted = half.info, half.changes["counted"]
     stretch = 1 if len(counted) <= _MAX_CHANGES else ticks // _MAX_CHANGES + 1
     return {
         "half": info.half,
         "ticks": ticks,
         "planned_ticks": info.ticks,
-        "sides": dict(half.teams),
-        "scores": dict(half.first_score),
+        "sides": dict(info.teams),
+        "scores": {info.teams[seat]: points for seat, points in info.scores.items()},
         **half.changes,
         "counted": list({row[0] // stretch: row for row in counted}.values()),
         "jumps": [list(each) for each in jumps],
@@ -86,7 +81,7 @@ class EventFacts:
 
     def of_timeline(self, timeline: Timeline) -> list[dict[str, Any]]:
         """Return all events of a run, in the order of time."""
-        events = (self.event(event, timeline.halves[event.half].teams) for event in timeline.events)
+        events = (self.event(event, timeline.halves[event.half].info.teams) for event in timeline.events)
         return sorted(events, key=lambda event: (event["half"], event["tick"]))
 
     def event(self, event: TimelineEvent, teams: Mapping[str, str]) -> dict[str, Any]:

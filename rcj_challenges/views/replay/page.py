@@ -40,14 +40,8 @@ SCRIPTS = (
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 
-LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "matchControls", "startlive")
-"""The parts of the page that watches a match while it is played: the same viewer, filled by a feed."""
-
-PREMIERE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "premiere", "startpremiere")
-"""The parts of the page that shows a recorded match at a time that was set: the feed is the recording and the clock."""
-
-STAGE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "startstage")
-"""The parts of the page that watches a recorded match which a server releases by its clock."""
+_FED_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient")
+"""What pages have that a feed fills, besides their own parts."""
 
 _LONGEST_NAME = 200
 
@@ -69,9 +63,14 @@ class PageKind:
 
 
 REPLAY_PAGE = PageKind(SCRIPTS)
-LIVE_PAGE = PageKind(LIVE_SCRIPTS, ("style.css", "live.css"), connects_to="'self'")
-PREMIERE_PAGE = PageKind(PREMIERE_SCRIPTS, ("style.css", "live.css", "premiere.css"), "'self'", "'self'")
-STAGE_PAGE = PageKind(STAGE_SCRIPTS, ("style.css", "live.css", "stage.css"), connects_to="'self'")
+LIVE_PAGE = PageKind((*_FED_SCRIPTS, "matchControls", "startlive"), ("style.css", "live.css"), connects_to="'self'")
+"""Watches a match while it is played."""
+PREMIERE_PAGE = PageKind(
+    (*_FED_SCRIPTS, "premiere", "startpremiere"), ("style.css", "live.css", "premiere.css"), "'self'", "'self'"
+)
+"""Shows a recorded match at a time that was set: the feed is the recording and the clock."""
+STAGE_PAGE = PageKind((*_FED_SCRIPTS, "startstage"), ("style.css", "live.css", "stage.css"), connects_to="'self'")
+"""Watches a recorded match which a server releases by its clock."""
 
 
 def write_replay(folder: Path, run: RunRecord | None = None) -> Path:
@@ -162,7 +161,7 @@ def _facts(run: RunRecord, frames: list[Frames], unit_m: float) -> dict[str, Any
         unit_m,
         halves_planned=halves[0].info.halves,
         halves=[
-            half_facts(scenario, half.info, timeline.halves[half.info.half], half.ticks, moving.jumps, _faults(half))
+            half_facts(scenario, timeline.halves[half.info.half], half.ticks, moving.jumps, _faults(half))
             for half, moving in zip(halves, frames, strict=True)
         ],
         events=EventFacts(scenario, names).of_timeline(timeline),
