@@ -123,18 +123,18 @@ def _follow(match: ScriptedMatch, expected: Expectation) -> None:
     for keyframe in expected.keyframes:
         at = max(1, ticks_from_s(keyframe.at_s))
         # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
-        _play_until(match, min(before, at - 1))
+        match.play_until(min(before, at - 1))
         away = [entity for entity in keyframe.move if match.is_off(entity)]
         for entity, to in keyframe.move.items():
             if entity not in away:
                 match.glide(entity, to, at - match.tick)
-        _play_until(match, at - 1)
+        match.play_until(at - 1)
         back = {entity: keyframe.move[entity] for entity in away if match.is_off(entity)}
         for entity, to in (keyframe.place | back).items():
             match.place(entity, *to)
         _act(match, keyframe)
         before = at
-    _play_until(match, ticks_from_s(expected.lasts_s))
+    match.play_until(ticks_from_s(expected.lasts_s))
 
 
 def _unsettled(match: ScriptedMatch) -> Iterable[Difference]:
@@ -216,11 +216,6 @@ def _preset(entry: Counter | Flag, value: Any, roster: Roster) -> Any:
     members = () if entry.per is None else roster.keepers(entry.per)
     found = dict.fromkeys(members, entry.first) | (value if isinstance(value, dict) else dict.fromkeys(members, value))
     return {member: one if one is None or isinstance(one, bool) else round_score(one) for member, one in found.items()}
-
-
-def _play_until(match: ScriptedMatch, tick: int) -> None:
-    while match.tick < tick and match.output.ended is None and not match.referee.time_is_up:
-        match.play()
 
 
 def _act(match: ScriptedMatch, keyframe: Keyframe) -> None:

@@ -132,8 +132,10 @@ class ScriptedMatch:
         return self.output
 
     def play_until(self, tick: int) -> RefereeOutput:
-        """Judge up to a tick and return the last output."""
-        return self.play(tick - self.tick)
+        """Judge up to a tick, or to the end of the half, and return the last output."""
+        while self.tick < tick and self.output.ended is None and not self.referee.time_is_up:
+            self.play()
+        return self.output
 
     def finish(self) -> RefereeOutput:
         """End the half."""
