@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import groupby, product
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 from rcj_challenges.core.amounts import Score, counted
@@ -106,7 +105,7 @@ def log_lines(
     events: Iterable[Event],
     firings: Iterable[Firing],
     changes: Iterable[Change],
-    copies: Mapping[str, tuple[str, str]] = MappingProxyType({}),
+    copies: Mapping[str, tuple[str, str]],
 ) -> bytes:
     """Return the lines of one tick; ``copies`` is the result of `copies_of_rules`."""
     lines = [
