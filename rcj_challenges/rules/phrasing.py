@@ -141,8 +141,3 @@ def degrees(value_rad: float) -> str:
 def heading(yaw_rad: float) -> str:
     """Return a direction on the floor: ``90° counter-clockwise from +x``."""
     return f"{degrees(abs(yaw_rad))} {'clockwise' if yaw_rad < 0 else 'counter-clockwise'} from +x"
-
-
-def times(count: int) -> str:
-    """Return a number of times in words: ``once``, ``3 times``."""
-    return "once" if count == 1 else f"{count} times"

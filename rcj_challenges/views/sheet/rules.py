@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from rcj_challenges.core.amounts import times
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.actions import ACTIONS
 from rcj_challenges.rules.conditions import CONDITIONS
 from rcj_challenges.rules.effects import Draws, Emits, SetsSpot, Writes
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.phrasing import listed, quoted, times
+from rcj_challenges.rules.phrasing import listed, quoted
 from rcj_challenges.rules.places import PLACES
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.rules.values import VALUES, duration_words
