@@ -52,20 +52,18 @@ class RuleBinder(NameScope):
             one.bind(self)
         self._holders = ()
 
-    def binding(self, entity: int | None = None) -> TriggerBinding:
+    def binding(self, about: int | str | None = None) -> TriggerBinding:
         """Return the rule's binding to the trigger that is compiled.
 
         What is about a zone or gate comes last: of an event about a robot and a gate, the robot is named.
         """
         things = self.roster.things
-        name, turn = (None, len(things)) if entity is None else (things[entity], entity)
+        index = self.roster.index.get(about) if isinstance(about, str) else about
+        name, turn = (None, len(things)) if index is None else (things[index], index)
         key = (self.rule.rank, self._position, turn)
         holders, draws = self._holders, self.state.draws
         applies = (lambda: all(draws[role] == holder for role, holder in holders)) if holders else None
         return TriggerBinding(self.rule, name, self._trigger, key, self._by_time, applies)
-
-    def index_of(self, name: str) -> int | None:
-        return self.roster.index.get(name)
 
     def track(self, kind: type[_T], key: tuple[object, ...] | None, *args: Any) -> _T:
         # One that is about members of roles is not shared with others: it is reset when one of these is assigned.
@@ -121,12 +119,12 @@ class RuleBinder(NameScope):
                 for put_in_turn in alternatives(self.scenario, PlacesLayout(layout, is_drawn=False, mirror=mirror))
                 for number, put in enumerate(put_in_turn)
                 for entity in self.entities(put.names)
-                for stream in (f"placement/{layout}/{number}/{self.name_of(entity)}",)
+                for stream in (f"placement/{layout}/{number}/{self.state.names[entity]}",)
             ]
         return [PlacementJob(spec.entity, spec, self.rule) for spec in specs]
 
     def placement_job(self, put: Places, entity: int) -> PlacementJob:
-        stream = f"rule/{self.rule.name}/{self.name_of(entity)}"
+        stream = f"rule/{self.rule.name}/{self.state.names[entity]}"
         return PlacementJob(entity, compile_placement(put, self, entity, stream), self.rule)
 
     def remove(self, entity: int, back: PlacementJob | None = None, ticks: int = 0) -> None:

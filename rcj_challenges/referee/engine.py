@@ -109,7 +109,7 @@ class Referee:
     @property
     def missed(self) -> list[tuple[str, Missed]]:
         """What set off no rule although one seems to wait for it, each with its entity, if it is about one."""
-        names, trackers = self._state.roster.entities, self._trackers.all
+        names, trackers = self._state.names, self._trackers.all
         return [(names[one.entities[0]] if one.entities else "", one.missed) for one in trackers if one.missed]
 
     @property
@@ -265,7 +265,7 @@ class Referee:
         state = self._state
         for entity, text in messages:
             if state.present[entity]:
-                name = state.roster.entities[entity]
+                name = state.names[entity]
                 state.messages[name] = text
                 for says, binding in self._clock_events.messages.get(name, ()):
                     if says(text):
@@ -298,7 +298,7 @@ class Referee:
 
     def _scatter_starts(self) -> None:
         """At tick 0: what has noise in its start pose and was placed by no rule starts with that noise."""
-        for entity, name in enumerate(self._state.roster.entities):
+        for entity, name in enumerate(self._state.names):
             if start_noise_m(self._state.scenario, name) != (0.0, 0.0) and not self._queue.concerns(entity):
                 start = Places(name, place_of("start"))
                 spec = compile_placement(start, self._context.names, entity, f"placement/start/{name}")
@@ -333,7 +333,7 @@ class Referee:
         if job.is_logged or job.rule is None or job.spec is None:
             return
         says = no_room_sentence(job, job.spec, state, self._context.bodies)
-        name = state.roster.entities[job.entity]
+        name = state.names[job.entity]
         record = FiringRecord(
             state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other,
             settling=self.rounds.settling,
@@ -372,7 +372,7 @@ class Referee:
             phase=(state.phase, self._waiting),
             scores=state.scores,
             counters={name: dict(value) if isinstance(value := counters[name], dict) else value for name in ranked},
-            held=tuple(state.roster.entities[robot] for robot in sorted(state.held.by_rules)),
+            held=tuple(state.names[robot] for robot in sorted(state.held.by_rules)),
         )
 
     def _quiet_output(self) -> RefereeOutput:

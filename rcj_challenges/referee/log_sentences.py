@@ -62,7 +62,7 @@ def _format_number(number: float | None, decimals: int) -> str:
 
 def no_room_sentence(job: PlacementJob, spec: PlacementSpec, state: State, bodies: Bodies) -> str:
     """Return the sentence about an entity that could not be set down, and why, once all others are set down."""
-    name = state.roster.entities[job.entity]
+    name = state.names[job.entity]
     stays = "where it is" if state.present[job.entity] else "off the field"
     what = "waits for room" if spec.how.waits else f"stays {stays} for want of room"
     return f"{name} {what}: {_reason(job, spec, PlacementBoard(state, bodies, set()), state, bodies)}"
@@ -88,7 +88,7 @@ def _reason(job: PlacementJob, spec: PlacementSpec, board: PlacementBoard, state
     ]
     if not found:
         return "there was none when it was put"
-    names = [state.roster.entities[entity] for entity in found]
+    names = [state.names[entity] for entity in found]
     are = "is" if len(names) == 1 else "are"
     gap_m = spec.how.min_clearance_m
     where = f"nearer than {gap_m:g} m" if gap_m else "there"

@@ -191,12 +191,6 @@ class NameScope:
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
         return point_sampler({name: self.scenario.zones[name] for name in self.members(zones)})
 
-    def name_of(self, entity: int) -> str:
-        return self.roster.entities[entity]
-
-    def is_robot(self, name: str) -> bool:
-        return name in self.scenario.robots
-
     def is_present(self, name: str) -> bool:
         """Return whether something is on the field now; what is no entity always is."""
         index = self.roster.index.get(name, len(self.state.present))

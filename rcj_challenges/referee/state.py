@@ -44,7 +44,7 @@ class State(RefereeState):
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, half: HalfInfo) -> None:
-        super().__init__(half, scenario.first_phase, len(roster.entities), roster.robots)
+        super().__init__(half, scenario.first_phase, roster.entities, roster.robots)
         self.scenario = scenario
         self.roster = roster
         self.spots = {name: (spot.x_m, spot.y_m) for name, spot in scenario.spots.items()}

@@ -90,12 +90,6 @@ class Scope(Protocol):
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
         """Return a function that draws a point of zones, every one equally likely."""
 
-    def name_of(self, entity: int) -> str:
-        """Return the name of an entity."""
-
-    def is_robot(self, name: str) -> bool:
-        """Return whether a name is that of a robot."""
-
     def targets(self, named: Names | Point) -> tuple[Target, ...]:
         """Return the target of a distance: what a name stands for, or a point."""
 
@@ -115,9 +109,6 @@ class Binder(Scope, Protocol):
     drawn: Mapping[str, tuple[str, ...]]
     """For each draw that decides on a place: the places."""
 
-    def index_of(self, name: str) -> int | None:
-        """Return the index of something that can be touched; None for anything else."""
-
     def gate(self, name: str) -> GateLine:
         """Return a gate."""
 
@@ -134,8 +125,8 @@ class Binder(Scope, Protocol):
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
         """Reset a tracker whenever one of the draws among these names decides otherwise."""
 
-    def binding(self, entity: int | None = None) -> TriggerBinding:
-        """Return the rule's binding to the trigger that is compiled, about an entity given by its index."""
+    def binding(self, about: int | str | None = None) -> TriggerBinding:
+        """Return the rule's binding to the trigger that is compiled, about a thing given by its index or its name."""
 
     def drawn_value(self, value: Scalar) -> Scalar:
         """Return a value of a draw: ``each`` is a name where the rule is for one."""

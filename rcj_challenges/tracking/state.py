@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import sqrt
 from typing import Any
@@ -51,6 +51,8 @@ class RefereeState:
 
     Attributes:
         clock: ticks of the half's clock: those of phases whose clock stops are not in it.
+        names: by entity, its name.
+        robots: the names of robots.
         poses: by entity, where it is now (after a placement: where it was put).
         seen: by entity, where it is in the sub-step that a tracker looks at; None: ``poses`` are looked at.
         before: by entity, where it was a tick ago (or was put then).
@@ -79,7 +81,7 @@ class RefereeState:
         match_over: whether that action ended the whole match.
     """
 
-    def __init__(self, half: HalfInfo, phase: str, entities: int, robots: int) -> None:
+    def __init__(self, half: HalfInfo, phase: str, names: Sequence[str], robots: int) -> None:
         self.half = half
         self.tick = 0
         self.clock = 0
@@ -94,7 +96,8 @@ class RefereeState:
         self.decided_spots: dict[str, list[tuple[float, float]]] = {}
         self.half_length_s: Number = 0
         self.uprights: list[float] = []
-        self.present = [True] * entities
+        self.names, self.robots = names, frozenset(names[:robots])
+        self.present = [True] * len(names)
         self.contacts = Contacts(robots)
         self.hits = HitBuffer()
         self.held = Held()

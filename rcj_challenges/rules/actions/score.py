@@ -90,7 +90,7 @@ expect:
 
             def driver_of_the_last() -> tuple[str, ...]:
                 robot = last()
-                driver = None if robot is None else drivers.get(to.name_of(robot))
+                driver = None if robot is None else drivers.get(to.state.names[robot])
                 return () if driver is None else (driver,)
 
             return driver_of_the_last

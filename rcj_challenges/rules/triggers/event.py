@@ -41,8 +41,7 @@ expect:
         """Bind a rule to an event, or to the event about each of those that are named."""
         events = to.clock_events.events
         for name in (None,) if self.entity is None else to.members(self.entity):
-            index = None if name is None else to.index_of(name)  # a zone or a gate has none
-            events.setdefault((self.event, name), []).append(to.binding(index))
+            events.setdefault((self.event, name), []).append(to.binding(name))
 
     def describe(self, phrases: Phrases) -> str:
         return f"{self.event} was announced" + (f" of {phrases.any_of(self.entity)}" if self.entity else "")

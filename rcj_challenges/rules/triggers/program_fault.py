@@ -29,7 +29,7 @@ expect:
 
     def bind(self, to: Binder) -> None:
         for robot in to.entities(self.robot):
-            to.clock_events.faults.setdefault(to.name_of(robot), []).append(to.binding(robot))
+            to.clock_events.faults.setdefault(to.state.names[robot], []).append(to.binding(robot))
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.owned('program', self.robot)} fails"

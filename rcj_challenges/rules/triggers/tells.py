@@ -42,7 +42,7 @@ expect:
     def bind(self, to: Binder) -> None:
         fits = self.matcher(to.state.draws)
         for robot in to.entities(self.entity):
-            to.clock_events.messages.setdefault(to.name_of(robot), []).append((fits, to.binding(robot)))
+            to.clock_events.messages.setdefault(to.state.names[robot], []).append((fits, to.binding(robot)))
 
     def describe(self, phrases: Phrases) -> str:
         return f"the referee receives {self.said(phrases) or 'a message'} from {phrases.any_of(self.entity)}"

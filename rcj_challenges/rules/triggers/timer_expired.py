@@ -50,8 +50,7 @@ expect:
         each = to.rule.each
         tracker = to.track(TimerTracker, (self.timer,), clocks)
         for member in (each,) if each in clocks else clocks:
-            index = None if member is None else to.index_of(member)
-            tracker.by_member.setdefault(member, []).append(to.binding(index))
+            tracker.by_member.setdefault(member, []).append(to.binding(member))
 
     def describe(self, phrases: Phrases) -> str:
         whose = phrases.one_of_owners("timer", self.timer)

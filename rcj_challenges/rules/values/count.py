@@ -37,7 +37,7 @@ expect:
 
     def facts(self, to: Scope) -> tuple[Fact, ...]:
         state, flag = to.state, self.flag
-        flagged = () if flag is None else (lambda entity: state.flag(flag, to.name_of(entity)),)
+        flagged = () if flag is None else (lambda entity: state.flag(flag, state.names[entity]),)
         return (*super().facts(to), *flagged)
 
     def describe_facts(self, phrases: Phrases) -> str:

@@ -36,7 +36,7 @@ expect:
 
         def name(_firing: Firing) -> str | None:
             robot = last()
-            return None if robot is None else to.name_of(robot)
+            return None if robot is None else to.state.names[robot]
 
         return name
 

@@ -112,7 +112,7 @@ def team_name_of(state: RefereeState, firing: Firing, of: str | None) -> str:
 
 
 def _robot_name(to: Scope, firing: Firing, _of: str | None) -> str:
-    names = (name for name in (firing.rule.each, firing.entity) if name is not None and to.is_robot(name))
+    names = (name for name in (firing.rule.each, firing.entity) if name in to.state.robots)
     return next(names, "")
 
 
