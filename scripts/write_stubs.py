@@ -159,10 +159,10 @@ def _get_device(function: types.FunctionType) -> list[str]:
 
 def _device_names() -> dict[str, list[str]]:
     from rcj_challenges.scenario.load import load  # noqa: PLC0415 - after the path was changed
-    from rcj_challenges.scenario.resources import presets_folder  # noqa: PLC0415
+    from rcj_challenges.scenario.resources import PRESETS_FOLDER  # noqa: PLC0415
 
     found: dict[str, dict[str, None]] = {}
-    for preset in sorted(presets_folder().glob("soccersim_*.yaml")):
+    for preset in sorted(PRESETS_FOLDER.glob("soccersim_*.yaml")):
         for kit in load(preset).scenario.kits.values():
             for name, device in kit.devices.items():
                 found.setdefault(CLASSES[device.device], {})[name] = None

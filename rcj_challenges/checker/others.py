@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER, names_in
 from rcj_challenges.submissions.archive import Contents
 from rcj_challenges.submissions.team import opening_of
 
@@ -47,10 +47,10 @@ def suggest_scenarios(names: Sequence[str]) -> str:
 
 def _fits(contents: Contents, scenario: Scenario) -> bool:
     # Where a submission came from matters only for the name of its team.
-    return any(not opening_of(scenarios_folder(), contents, *seats).missing for seats in seats_of(scenario))
+    return any(not opening_of(SCENARIOS_FOLDER, contents, *seats).missing for seats in seats_of(scenario))
 
 
 @functools.cache
 def _shipped() -> dict[str, Scenario]:
-    folder = scenarios_folder()
+    folder = SCENARIOS_FOLDER
     return {name: load(folder / f"{name}.yaml").scenario for name in names_in(folder)}

@@ -22,7 +22,7 @@ from rcj_challenges.core.errors import RcjError, taken
 from rcj_challenges.core.files import is_device_of_windows, write_new
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import choice_of
-from rcj_challenges.scenario.resources import names_in, starters_folder
+from rcj_challenges.scenario.resources import STARTERS_FOLDER, names_in
 
 _CHOOSE = "choose another name, such as relay_race"
 _MAX_ID_LENGTH = 64
@@ -96,7 +96,7 @@ def _write_team(name: str) -> None:
         "TEAM_ZIP": shell_quoted(f"{folder.name}.zip"),
     }
     for target, source in _TEAM_FILES.items():
-        text = (starters_folder() / "team" / source).read_text(encoding="utf-8")
+        text = (STARTERS_FOLDER / "team" / source).read_text(encoding="utf-8")
         for word, value in words.items() if target == "README.md" else ():
             text = text.replace(word, value)
         write_new(folder / target, text.encode())
@@ -116,7 +116,7 @@ def _write_robots(folder: Path) -> None:
     """
     file = folder / "robot.yaml"
     _refuse_existing(file)
-    write_new(file, (starters_folder() / "team" / "robot_yaml.txt").read_bytes())
+    write_new(file, (STARTERS_FOLDER / "team" / "robot_yaml.txt").read_bytes())
     sys.stdout.write(f"""{file}
 Now, with a challenge that has guidelines for robots:
   rcj-challenge check {shell_quoted(folder)} --scenario SCENARIO
@@ -134,7 +134,7 @@ def _write_challenge(name: str, preset: str) -> None:
     Raises:
         RcjError: there is no such preset, the name is none, or a file of that name exists.
     """
-    known = names_in(starters_folder())
+    known = names_in(STARTERS_FOLDER)
     if preset not in known:
         raise RcjError(f"unknown preset '{preset}'", choice_of(preset, known), code=UNKNOWN_PRESET)
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
@@ -142,7 +142,7 @@ def _write_challenge(name: str, preset: str) -> None:
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
     _refuse_existing(file, program)
-    text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
+    text = (STARTERS_FOLDER / f"{preset}.yaml").read_text(encoding="utf-8")
     title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_MAX_TITLE_LENGTH]
     written = {
         "id: starter": f"id: {short}",
@@ -153,7 +153,7 @@ def _write_challenge(name: str, preset: str) -> None:
     }
     # In one go: a file may be called FILE_NAME.
     write_new(file, re.sub("|".join(written), lambda found: written[found[0]], text).encode())
-    write_new(program, (starters_folder() / f"{preset}.robot.txt").read_bytes())
+    write_new(program, (STARTERS_FOLDER / f"{preset}.robot.txt").read_bytes())
     sys.stdout.write(f"""{file}
 {program}
 Now:

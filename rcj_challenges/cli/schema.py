@@ -23,7 +23,7 @@ def schema(
 ) -> int:
     """Write the JSON schema of scenario files or of tournament files, for completion in editors."""
     from rcj_challenges.scenario import json_schema as of_scenarios
-    from rcj_challenges.scenario.resources import schemas_folder
+    from rcj_challenges.scenario.resources import SCHEMAS_FOLDER
     from rcj_challenges.tournament import json_schema as of_tournaments
 
     if not check:
@@ -33,11 +33,11 @@ def schema(
         return 0
     code = 0
     for one, command in ((of_scenarios, "schema"), (of_tournaments, "schema --tournament")):
-        file = schemas_folder() / one.FILE
+        file = SCHEMAS_FOLDER / one.FILE
         if file.is_file() and file.read_text("utf-8") == one.schema_text():
             sys.stdout.write(f"{one.FILE} is fresh\n")
         else:
-            stale = f"{schemas_folder().name}/{one.FILE} is stale: write it with `rcj-challenge {command}`\n"
+            stale = f"{SCHEMAS_FOLDER.name}/{one.FILE} is stale: write it with `rcj-challenge {command}`\n"
             sys.stderr.write(stale)
             code = 1
     return code

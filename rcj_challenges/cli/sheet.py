@@ -31,12 +31,12 @@ def sheet(
 ) -> None:
     """Write the rule sheet for the teams; of a preset, the page of all that sheets of what extends it leave out."""
     from rcj_challenges.scenario.load import load
-    from rcj_challenges.scenario.resources import names_in, presets_folder
+    from rcj_challenges.scenario.resources import PRESETS_FOLDER, names_in
     from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 
     check_ending(out, (".md", *_HTML), "its name must end in .md or .html")
-    is_preset = str(scenario) in names_in(presets_folder())
-    loaded = load(presets_folder() / f"{scenario}.yaml" if is_preset else scenario, set_ or [])
+    is_preset = str(scenario) in names_in(PRESETS_FOLDER)
+    loaded = load(PRESETS_FOLDER / f"{scenario}.yaml" if is_preset else scenario, set_ or [])
     out = out or file_for_terminal(f"{loaded.scenario.id}.html")
     if out is None:
         deliver(sheet_markdown(loaded.scenario, loaded.roster), None)

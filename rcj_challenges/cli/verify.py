@@ -126,11 +126,11 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
 def _candidates(folder: Path, teams: Sequence[Path]) -> Iterable[Path]:
     """Yield the submissions among which the programs of a record may be."""
     from rcj_challenges.checker.discovery import find_submissions
-    from rcj_challenges.scenario.resources import teams_folder
+    from rcj_challenges.scenario.resources import TEAMS_FOLDER
 
     yield from find_submissions(teams).paths
     yield from sorted((folder.resolve().parents[1] / "submissions").glob("*.*"))  # of a tournament
-    yield from sorted(path for path in teams_folder().iterdir() if path.is_dir())
+    yield from sorted(path for path in TEAMS_FOLDER.iterdir() if path.is_dir())
 
 
 def _programs(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.scenario.resources import TEAMS_FOLDER
 from rcj_challenges.submissions.team import TeamError, open_team
 
 _OF_THE_MATCH = {"blue": "roles_and_radio", "yellow": "all_sensors"}
@@ -25,14 +25,14 @@ def sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario] = ()) -
     fits = all(not other_kits(scenario, base, seat, either_message=True) for base in bases)
     of_the_match = _OF_THE_MATCH.get(seat) if fits else None
     for name in (scenario.id, *alike, of_the_match):
-        if name is not None and _has_programs(teams_folder() / name, scenario, seat):
-            return teams_folder() / name
+        if name is not None and _has_programs(TEAMS_FOLDER / name, scenario, seat):
+            return TEAMS_FOLDER / name
     return None
 
 
 def has_sample_team(scenario: Scenario) -> bool:
     """Return whether a sample team was made for this very scenario."""
-    return (teams_folder() / scenario.id).is_dir()
+    return (TEAMS_FOLDER / scenario.id).is_dir()
 
 
 def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message: bool = False) -> dict[str, str]:

@@ -23,7 +23,7 @@ from rcj_challenges.scenario.reading.extend import Source, find_scenario, read_c
 from rcj_challenges.scenario.reading.merge import TESTS, Merger, Repeated
 from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params, sets_param
 from rcj_challenges.scenario.reading.repeating import entry_of, merged, repeat_entries
-from rcj_challenges.scenario.resources import presets_folder
+from rcj_challenges.scenario.resources import PRESETS_FOLDER
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, check_size, nodes_in, plain
 
@@ -130,7 +130,7 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     chain = read_chain(source)
     for part in chain:
         merger.merge(tree, part.tree, Scenario)
-    bases = tuple(part.path for part in reversed(chain[:-1]) if part.path.parent != presets_folder())
+    bases = tuple(part.path for part in reversed(chain[:-1]) if part.path.parent != PRESETS_FOLDER)
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
     unresolved = {key: value for key, value in plain(tree).items() if key != TESTS}

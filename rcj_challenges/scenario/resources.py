@@ -12,24 +12,25 @@ from pathlib import Path
 _PACKAGE = Path(__file__).resolve().parent.parent
 
 
-def presets_folder() -> Path:
-    """Return the folder of the presets that ``extends`` knows by name."""
-    return _PACKAGE / "scenario" / "presets"
+def data_folder(packaged: str, checked_out: str) -> Path:
+    """Return a folder of package data or, in a checkout, the one beside the package."""
+    in_wheel = _PACKAGE / "data" / packaged
+    return in_wheel if in_wheel.is_dir() else _PACKAGE.parent / checked_out
 
 
-def starters_folder() -> Path:
-    """Return the folder of what ``new`` writes: a scenario and a program for each preset."""
-    return _PACKAGE / "scenario" / "starters"
-
-
-def scenarios_folder() -> Path:
-    """Return the folder of the shipped scenarios."""
-    return _data("scenarios", "scenarios")
+PRESETS_FOLDER = _PACKAGE / "scenario" / "presets"
+"""The presets that ``extends`` knows by name."""
+STARTERS_FOLDER = _PACKAGE / "scenario" / "starters"
+"""What ``new`` writes: a scenario and a program for each preset."""
+SCENARIOS_FOLDER = data_folder("scenarios", "scenarios")
+TOURNAMENTS_FOLDER = data_folder("tournaments", "tournaments")
+TEAMS_FOLDER = data_folder("teams", "examples/teams")
+SCHEMAS_FOLDER = data_folder("schemas", "schemas")
 
 
 def shipped_scenarios() -> dict[str, Path]:
     """Return the files of all shipped scenarios by their bare names: the challenges, then examples and variants."""
-    folders = (scenarios_folder(), *(scenarios_folder() / kind for kind in ("examples", "variants")))
+    folders = (SCENARIOS_FOLDER, *(SCENARIOS_FOLDER / kind for kind in ("examples", "variants")))
     return {name: folder / f"{name}.yaml" for folder in folders for name in names_in(folder)}
 
 
@@ -38,7 +39,7 @@ def own_of_that_name(shipped: Path, folder: Path) -> Path | None:
 
     The names of challenges and presets are not asked about: they always mean the shipped ones.
     """
-    if shipped.parent.parent != scenarios_folder():
+    if shipped.parent.parent != SCENARIOS_FOLDER:
         return None
     for own in (folder / shipped.name, folder / f"{shipped.stem}.yml"):
         try:
@@ -49,26 +50,10 @@ def own_of_that_name(shipped: Path, folder: Path) -> Path | None:
     return None
 
 
-def tournaments_folder() -> Path:
-    """Return the folder of the shipped tournaments."""
-    return _data("tournaments", "tournaments")
-
-
-def teams_folder() -> Path:
-    """Return the folder of the sample teams."""
-    return _data("teams", "examples/teams")
-
-
 def shipped_teams() -> dict[str, Path]:
     """Return the folders of all sample teams by their names."""
-    folder = teams_folder()
-    folders = folder.iterdir() if _is_folder(folder) else ()
+    folders = TEAMS_FOLDER.iterdir() if _is_folder(TEAMS_FOLDER) else ()
     return {team.name: team for team in sorted(folders) if team.is_dir() and not team.name.startswith((".", "_"))}
-
-
-def schemas_folder() -> Path:
-    """Return the folder of the JSON schemas."""
-    return _data("schemas", "schemas")
 
 
 def names_in(folder: Path) -> list[str]:
@@ -78,8 +63,3 @@ def names_in(folder: Path) -> list[str]:
 
 def _is_folder(path: Path) -> bool:
     return os.path.isdir(path)  # noqa: PTH112 - that of pathlib raises for names that are too long
-
-
-def _data(packaged: str, checked_out: str) -> Path:
-    in_wheel = _PACKAGE / "data" / packaged
-    return in_wheel if in_wheel.is_dir() else _PACKAGE.parent / checked_out

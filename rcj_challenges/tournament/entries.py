@@ -15,7 +15,7 @@ from rcj_challenges.core.code import Code
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.scenario.errors import did_you_mean, listing
-from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.scenario.resources import TEAMS_FOLDER
 from rcj_challenges.scenario.tree import Entries, mark_of
 from rcj_challenges.submissions.paths import ignored_folder
 from rcj_challenges.tournament import codes
@@ -145,9 +145,9 @@ class TeamLists:
                 return self.folder / model.path
             message, help_ = f"no submission at '{model.path}'", "paths are relative to the tournament file"
         elif model.sample is not None:
-            samples = sorted(one.name for one in teams_folder().iterdir() if one.is_dir())
+            samples = sorted(one.name for one in TEAMS_FOLDER.iterdir() if one.is_dir())
             if model.sample in samples:
-                return teams_folder() / model.sample
+                return TEAMS_FOLDER / model.sample
             code, message = codes.UNKNOWN_SAMPLE, f"no sample team '{model.sample}'"
             help_ = did_you_mean(model.sample, samples, f"Sample teams: {listing(samples, 30)}")
         elif key in submitted:

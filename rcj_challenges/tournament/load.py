@@ -19,7 +19,7 @@ from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes
-from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tournaments_folder
+from rcj_challenges.scenario.resources import TOURNAMENTS_FOLDER, names_in, shipped_scenarios
 from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of, plain
 from rcj_challenges.tournament.checks import Checks
 from rcj_challenges.tournament.codes import UNKNOWN_SCENARIO, WRONG_SCENARIO
@@ -112,9 +112,9 @@ def find_tournament(source: str | Path) -> Path:
             return path
     except (OSError, ValueError):  # a name too long, or with a zero byte
         pass
-    shipped = names_in(tournaments_folder())
+    shipped = names_in(TOURNAMENTS_FOLDER)
     if str(source) in shipped:
-        return tournaments_folder() / f"{source}.yaml"
+        return TOURNAMENTS_FOLDER / f"{source}.yaml"
     help_ = did_you_mean(str(source), shipped, f"Shipped are {listing(shipped)}")
     message = "no such file, and no shipped tournament of that name"
     raise ScenarioError([Mark(str(source)[:200]).error(NO_SUCH_FILE, message, help_)])

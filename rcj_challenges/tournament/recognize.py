@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from rcj_challenges.core.files import open_regular
-from rcj_challenges.scenario.resources import names_in, tournaments_folder
+from rcj_challenges.scenario.resources import TOURNAMENTS_FOLDER, names_in
 
 _VERSION = re.compile(rb"^[\"']?tournament_version[\"']?\s*:", re.MULTILINE)
 _MAX_BYTES = 1_000_000
@@ -18,4 +18,4 @@ def is_tournament(source: str) -> bool:
         with open_regular(Path(source)) as file:
             return _VERSION.search(file.read(_MAX_BYTES)) is not None
     except (OSError, ValueError):
-        return source in names_in(tournaments_folder())
+        return source in names_in(TOURNAMENTS_FOLDER)

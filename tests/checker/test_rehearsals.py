@@ -18,7 +18,7 @@ from rcj_challenges.checker.report import check_report
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_file
 from rcj_challenges.scenario.load import load, load_text
-from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.scenario.resources import TEAMS_FOLDER
 from tests.checker.alone import ONE_EACH, alone
 
 pytestmark = pytest.mark.usefixtures("sources_read_here")
@@ -63,7 +63,7 @@ def findings(report, name, level=None):
 
 
 def test_sound_team_passes_and_every_robot_of_both_sides_is_in_the_report():
-    report = check_file(teams_folder() / "ball_chaser", MATCH, replace(SHORT, play_s=6.0))
+    report = check_file(TEAMS_FOLDER / "ball_chaser", MATCH, replace(SHORT, play_s=6.0))
     assert (report.level, report.team, report.file) == ("passed", "Ball Chaser", "ball_chaser")
     assert [stage.level for stage in report.stages] == ["passed"] * 7
     assert findings(report, "start")[0].where == "B1, B2, B3, Y1, Y2, Y3"
@@ -251,7 +251,7 @@ def test_without_play_no_program_is_run(pack):
     ],
 )
 def test_challenges_of_one_entrant_are_played_once_with_all_their_robots(scenario, team, robots):
-    report = check_file(teams_folder() / team, load(scenario), SHORT)
+    report = check_file(TEAMS_FOLDER / team, load(scenario), SHORT)
     assert report.level != "error"
     assert [finding.code for finding in findings(report, "play", "warning")].count("play.no_touch") <= (
         team != "slalom"

@@ -6,15 +6,15 @@ from rcj_challenges.cli.run import run
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.resources import scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER
 
-VARIANTS = scenarios_folder() / "variants"
+VARIANTS = SCENARIOS_FOLDER / "variants"
 
 
 @pytest.fixture
 def variant(tmp_path):
     """Return a function that writes a scenario beside a copy of the fast shooter, and loads it."""
-    shipped = scenarios_folder() / "fast_shooter.yaml"
+    shipped = SCENARIOS_FOLDER / "fast_shooter.yaml"
     (tmp_path / "fast_shooter.yaml").write_bytes(shipped.read_bytes())
 
     def write(text: str, base: str = "fast_shooter.yaml", name: str = "mine"):

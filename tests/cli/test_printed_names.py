@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from rcj_challenges.cli.stdio import shell_quoted, shown_path
-from rcj_challenges.scenario.resources import scenarios_folder, tournaments_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER, TOURNAMENTS_FOLDER
 from tests.cli.in_this_process import here
 
 
@@ -25,7 +25,7 @@ def test_other_paths_are_shown_as_they_are():
     assert shell_quoted("runs/é") == "runs/é"
 
 
-@pytest.mark.parametrize("file", [scenarios_folder() / "match.yaml", next(tournaments_folder().glob("*.yaml"))])
+@pytest.mark.parametrize("file", [SCENARIOS_FOLDER / "match.yaml", next(TOURNAMENTS_FOLDER.glob("*.yaml"))])
 def test_a_title_of_several_lines_forges_no_verdict(tmp_path, monkeypatch, capsys, file):
     lines = file.read_text("utf-8").splitlines()
     titled = ['title: "Cup\\r\\nok  other.yaml"' if line.startswith("title:") else line for line in lines]

@@ -11,7 +11,7 @@ from rcj_challenges.expect.runner import run_test
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
-from rcj_challenges.scenario.resources import names_in, presets_folder
+from rcj_challenges.scenario.resources import PRESETS_FOLDER, names_in
 
 GUIDE = Path(__file__).parents[2] / "docs" / "authoring.md"
 HEAD = "schema_version: 2\nid: guide\ntitle: Guide\nextends: soccersim_v2\n"
@@ -58,9 +58,9 @@ def played(loaded: Loaded, lasts_s: float) -> ScriptedMatch:
     return play
 
 
-@pytest.mark.parametrize("preset", names_in(presets_folder()))
+@pytest.mark.parametrize("preset", names_in(PRESETS_FOLDER))
 def test_the_guide_names_all_that_a_preset_brings(preset):
-    scenario = load(presets_folder() / f"{preset}.yaml").scenario
+    scenario = load(PRESETS_FOLDER / f"{preset}.yaml").scenario
     brought = {"field.goals": scenario.field.goals, "kits": scenario.kits}
     sections = ("balls", "robots", "entrants", "zones", "spots", "groups")
     brought |= {section: getattr(scenario, section) for section in sections}

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import rcj_challenges
-from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER, names_in
 
 PACKAGE = Path(rcj_challenges.__file__).parent
 ORDINARY_WORDS = {"match", "keeper", "market", "search"}
@@ -14,7 +14,7 @@ ORDINARY_WORDS = {"match", "keeper", "market", "search"}
 
 
 def test_the_package_names_no_challenge() -> None:
-    shipped = {*names_in(scenarios_folder()), *names_in(scenarios_folder() / "examples")}
+    shipped = {*names_in(SCENARIOS_FOLDER), *names_in(SCENARIOS_FOLDER / "examples")}
     challenges = sorted(shipped - ORDINARY_WORDS)
     named = re.compile(rf"\b({'|'.join(challenges)})\b")
     sources = [path for ending in ("py", "js", "html", "css", "yaml") for path in PACKAGE.rglob(f"*.{ending}")]

@@ -7,7 +7,7 @@ import pytest
 
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import load, load_text
-from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder, teams_folder
+from rcj_challenges.scenario.resources import PRESETS_FOLDER, SCENARIOS_FOLDER, TEAMS_FOLDER, names_in
 
 
 def write(folder, name, text):
@@ -24,7 +24,7 @@ def complaint(path):
     return f"{problem.code}: {problem.message}; {problem.help}"
 
 
-@pytest.mark.parametrize("name", names_in(presets_folder()))
+@pytest.mark.parametrize("name", names_in(PRESETS_FOLDER))
 def test_every_preset_is_strict_yaml_and_can_be_extended(name):
     assert load_text(f"schema_version: 2\nid: x\ntitle: X\nextends: {name}\n").scenario.robots
 
@@ -103,25 +103,25 @@ def test_shipped_scenario_as_a_path_is_refused_with_its_name(tmp_path):
 def test_shipped_files_lie_in_the_checkout_or_in_the_package(tmp_path, monkeypatch):
     from rcj_challenges.scenario import resources
 
-    assert (scenarios_folder() / "match.yaml").is_file()
-    assert teams_folder().is_dir()
+    assert (SCENARIOS_FOLDER / "match.yaml").is_file()
+    assert TEAMS_FOLDER.is_dir()
     package = tmp_path / "rcj_challenges"
-    shutil.copytree(scenarios_folder(), package / "data" / "scenarios")
+    shutil.copytree(SCENARIOS_FOLDER, package / "data" / "scenarios")
     monkeypatch.setattr(resources, "_PACKAGE", package)
-    assert resources.scenarios_folder() == package / "data" / "scenarios"
-    assert names_in(resources.scenarios_folder()) == names_in(package / "data" / "scenarios") != []
-    assert resources.teams_folder() == tmp_path / "examples" / "teams"
+    assert resources.data_folder("scenarios", "scenarios") == package / "data" / "scenarios"
+    assert names_in(package / "data" / "scenarios") == names_in(SCENARIOS_FOLDER) != []
+    assert resources.data_folder("teams", "examples/teams") == tmp_path / "examples" / "teams"
 
 
 def test_bare_names_find_shipped_scenarios_and_files_come_first(tmp_path, monkeypatch):
-    assert load("match").path == scenarios_folder() / "match.yaml"
+    assert load("match").path == SCENARIOS_FOLDER / "match.yaml"
     assert load("match").name == "match"
     monkeypatch.chdir(tmp_path)
     write(tmp_path, "match", "schema_version: 2\nid: own\ntitle: Own\nextends: soccersim_v2\n")
     assert load("match").scenario.id == "own"
 
 
-@pytest.mark.parametrize("path", sorted(scenarios_folder().rglob("*.yaml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted(SCENARIOS_FOLDER.rglob("*.yaml")), ids=lambda path: path.stem)
 def test_every_shipped_scenario_is_found_and_extended_by_its_bare_name(path, tmp_path):
     assert load(path.stem).path == path
     own = f"schema_version: 2\nid: own\ntitle: Own\nextends: {path.stem}\nexpect: {{inherited: null}}\n"
@@ -134,8 +134,8 @@ def test_a_file_of_ones_own_is_not_passed_over_for_a_shipped_example_of_that_nam
     with pytest.raises(ScenarioError, match=r"ambiguous-name(.|\n)*help: write slalom\.yaml for that"):
         load("slalom")
     assert load("slalom.yaml").scenario.id == "own"
-    monkeypatch.chdir(scenarios_folder() / "examples")
-    assert load("slalom").path == scenarios_folder() / "examples" / "slalom.yaml"
+    monkeypatch.chdir(SCENARIOS_FOLDER / "examples")
+    assert load("slalom").path == SCENARIOS_FOLDER / "examples" / "slalom.yaml"
 
 
 def test_shipped_example_is_found_in_an_unreadable_folder(tmp_path, monkeypatch):
@@ -145,7 +145,7 @@ def test_shipped_example_is_found_in_an_unreadable_folder(tmp_path, monkeypatch)
     monkeypatch.chdir(tmp_path)
     stat = Path.stat
     monkeypatch.setattr(Path, "stat", lambda path, **how: stat(path, **how) if path.is_absolute() else refuse(path))
-    assert load("slalom").path == scenarios_folder() / "examples" / "slalom.yaml"
+    assert load("slalom").path == SCENARIOS_FOLDER / "examples" / "slalom.yaml"
 
 
 @pytest.mark.parametrize("name", ["slalom", "fast_shooter_v2"])

@@ -10,7 +10,7 @@ from rcj_challenges.cli.schema import schema
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.json_schema import FILE, scenario_schema, schema_text
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes, parse_text
-from rcj_challenges.scenario.resources import presets_folder, scenarios_folder, schemas_folder
+from rcj_challenges.scenario.resources import PRESETS_FOLDER, SCENARIOS_FOLDER, SCHEMAS_FOLDER
 from rcj_challenges.scenario.tree import plain
 from tests.scenario.writing import HEAD as FIRST
 from tests.scenario.writing import rule
@@ -19,7 +19,7 @@ HEAD = FIRST.replace("schema_version: 2", "schema_version: 2")
 
 SCHEMA = scenario_schema()
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
-FILES = sorted([*scenarios_folder().rglob("*.yaml"), *presets_folder().glob("*.yaml")])
+FILES = sorted([*SCENARIOS_FOLDER.rglob("*.yaml"), *PRESETS_FOLDER.glob("*.yaml")])
 WHOLE = {"schema_version": 2, "id": "a", "title": "A", "robots": {}, "entrants": {}}
 
 
@@ -48,7 +48,7 @@ def test_every_shipped_file_names_the_schema_for_editors(path):
     first = path.read_text(encoding="utf-8").splitlines()[0]
     assert first.startswith("# yaml-language-server: $schema=")
     named = (path.parent / first.partition("=")[2]).resolve()
-    assert named == (schemas_folder() / FILE).resolve()
+    assert named == (SCHEMAS_FOLDER / FILE).resolve()
 
 
 def properties(schema, where=""):
@@ -170,7 +170,7 @@ def test_what_the_loader_refuses_in_form_the_schema_refuses_too(body):
 
 def test_every_value_of_the_match_that_is_spoilt_is_noticed():
     """Replacing any mapping by a number, and any number by a mapping, must not pass."""
-    data = plain(parse_bytes((scenarios_folder() / "match.yaml").read_bytes(), "match.yaml"))
+    data = plain(parse_bytes((SCENARIOS_FOLDER / "match.yaml").read_bytes(), "match.yaml"))
     count = 0
 
     def spoil(node, path):

@@ -11,10 +11,10 @@ from rcj_challenges.scenario.codes import WRONG_VALUE
 from rcj_challenges.scenario.errors import ScenarioError, nearest
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER, names_in
 from tests.scenario.writing import HEAD, problems_of
 
-SHIPPED = names_in(scenarios_folder())
+SHIPPED = names_in(SCENARIOS_FOLDER)
 
 
 @pytest.mark.parametrize("name", SHIPPED)

@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 from rcj_challenges.cli.validate import validate
-from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER, names_in
 
 
 def write(folder, name, text):
@@ -18,7 +18,7 @@ GOOD = "schema_version: 2\nid: a\ntitle: Ätsch\nextends: soccersim_v2\n"
 
 
 def test_files_in_order_give_a_line_each_and_exit_0(capsys):
-    names = names_in(scenarios_folder())
+    names = names_in(SCENARIOS_FOLDER)
     assert validate(names) == 0
     out, err = capsys.readouterr()
     assert err == ""

@@ -6,9 +6,9 @@ import pytest
 
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.resources import scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER
 
-VARIANTS = sorted((scenarios_folder() / "variants").glob("*.yaml"))
+VARIANTS = sorted((SCENARIOS_FOLDER / "variants").glob("*.yaml"))
 
 
 def test_each_technical_challenge_has_one():
@@ -34,6 +34,6 @@ def test_the_tests_of_the_challenge_pass_in_its_variant(path):
 
 
 def test_the_lidar_of_the_variant_stands_beside_the_sonars():
-    variant = load(scenarios_folder() / "variants" / "precision_lidar_v2.yaml").scenario
+    variant = load(SCENARIOS_FOLDER / "variants" / "precision_lidar_v2.yaml").scenario
     assert set(variant.robots["Y3"].devices) == {"lidar"}
     assert "distancesensor front" in variant.kits["v2"].devices

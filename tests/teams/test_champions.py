@@ -12,7 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.commands import load_app
-from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.scenario.resources import TEAMS_FOLDER
 from scripts.copy_library import stale_copies
 
 MEDIANS = {
@@ -40,7 +40,7 @@ def champion(monkeypatch):
     """Return a function that imports a module of a champion's program."""
 
     def load(folder: str, module: str):
-        monkeypatch.syspath_prepend(str(teams_folder() / folder))
+        monkeypatch.syspath_prepend(str(TEAMS_FOLDER / folder))
         before = set(sys.modules)
         found = importlib.import_module(module)
         for name in set(sys.modules) - before:

@@ -10,7 +10,7 @@ from pathlib import Path
 from sqlalchemy import update
 
 from rcj_challenges.records.result import versions
-from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.scenario.resources import TEAMS_FOLDER
 from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.executor import JobOutcome
 from rcj_challenges.tournament.fixtures import JobMaker
@@ -66,7 +66,7 @@ class Home:
         """Let a team hand in the sample team's programs, with a word of its own in them."""
         folder = self.teams / team
         shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(teams_folder() / "ball_chaser", folder)
+        shutil.copytree(TEAMS_FOLDER / "ball_chaser", folder)
         (folder / "word.txt").write_text(f"{team} {word}", encoding="utf-8")
         (folder / "team_name.txt").write_text(name or f"Team {team}", encoding="utf-8")
 

@@ -7,7 +7,7 @@ import pytest
 
 from rcj_challenges.cli.schema import schema
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
-from rcj_challenges.scenario.resources import names_in, schemas_folder, tournaments_folder
+from rcj_challenges.scenario.resources import SCHEMAS_FOLDER, TOURNAMENTS_FOLDER, names_in
 from rcj_challenges.scenario.tree import plain
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.json_schema import FILE, schema_text, tournament_schema
@@ -26,13 +26,13 @@ def test_the_committed_schema_is_fresh(capsys):
     jsonschema.Draft202012Validator.check_schema(tournament_schema())
 
 
-@pytest.mark.parametrize("name", names_in(tournaments_folder()))
+@pytest.mark.parametrize("name", names_in(TOURNAMENTS_FOLDER))
 def test_shipped_tournaments_follow_the_schema_and_name_it_for_editors(name):
-    path = tournaments_folder() / f"{name}.yaml"
+    path = TOURNAMENTS_FOLDER / f"{name}.yaml"
     assert list(VALIDATOR.iter_errors(plain(parse_bytes(path.read_bytes(), path.name)))) == []
     first = path.read_text("utf-8").splitlines()[0]
     assert first.startswith("# yaml-language-server: $schema=")
-    assert (path.parent / first.partition("=")[2]).resolve() == (schemas_folder() / FILE).resolve()
+    assert (path.parent / first.partition("=")[2]).resolve() == (SCHEMAS_FOLDER / FILE).resolve()
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.core.files import is_device_of_windows, slug
-from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.scenario.resources import TEAMS_FOLDER
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import Tie
@@ -169,7 +169,7 @@ def submission(folder: Path, name: str, content: bytes) -> Path:
 
 def test_a_program_with_other_names_and_comments_is_alike(tmp_path: Path) -> None:
     renamed = PROGRAM.replace(b"ball", b"kugel").replace(b"3.1", b"4") + b"# mine\n"
-    other = (teams_folder() / "keeper").rglob("*.py")
+    other = (TEAMS_FOLDER / "keeper").rglob("*.py")
     sample = submission(tmp_path, "sample", next(other).read_bytes())
     pairs, unread = similar_pairs(
         {
@@ -186,7 +186,7 @@ def test_a_program_with_other_names_and_comments_is_alike(tmp_path: Path) -> Non
 
 
 def test_what_teams_took_from_the_samples_is_not_counted(tmp_path: Path) -> None:
-    sample = next((teams_folder() / "ball_chaser").rglob("*.py")).read_bytes()
+    sample = next((TEAMS_FOLDER / "ball_chaser").rglob("*.py")).read_bytes()
     pairs, _ = similar_pairs({name: {"": submission(tmp_path, name, sample)} for name in ("one", "two")})
     assert pairs == []
 

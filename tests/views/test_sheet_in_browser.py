@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER, names_in
 from rcj_challenges.views.sheet import sheet_html
 
-PRINTED = (*names_in(scenarios_folder() / "examples"), "match")
+PRINTED = (*names_in(SCENARIOS_FOLDER / "examples"), "match")
 PHONE = {"width": 360, "height": 740}
 
 

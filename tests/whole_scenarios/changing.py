@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
-from rcj_challenges.scenario.resources import scenarios_folder
+from rcj_challenges.scenario.resources import SCENARIOS_FOLDER
 from rcj_challenges.scenario.tree import plain
 from scripts.write_reference import read_examples
 from tests.whole_scenarios.wholes import written
@@ -64,7 +64,7 @@ def changed(seed: int) -> str:
 @cache
 def shipped() -> tuple[str, ...]:
     """Return what authors may begin with: scenarios, and examples from the documents."""
-    texts = [path.read_text(encoding="utf-8") for path in sorted(scenarios_folder().rglob("*.yaml"))]
+    texts = [path.read_text(encoding="utf-8") for path in sorted(SCENARIOS_FOLDER.rglob("*.yaml"))]
     texts += [example.whole for example in read_examples()]
     for page in sorted((_ROOT / "docs").glob("*.md")):
         blocks = re.findall(r"^```yaml\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)

@@ -20,10 +20,10 @@ from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.version_1 import new_texts, to_version_2
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text, refuse_size
 from rcj_challenges.scenario.resources import (
+    PRESETS_FOLDER,
+    SCENARIOS_FOLDER,
     names_in,
     own_of_that_name,
-    presets_folder,
-    scenarios_folder,
     shipped_scenarios,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, in_names
@@ -186,13 +186,13 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
         return Source.of_file(shipped[name], shown)
     own_files = [found for found in _scenarios_in(user.path.parent) if found != user.path.name]
     hint = did_you_mean(name.replace("-", "_"), [*own_files, *shipped])
-    known = choice_of("", [*names_in(scenarios_folder()), *names_in(presets_folder())])
+    known = choice_of("", [*names_in(SCENARIOS_FOLDER), *names_in(PRESETS_FOLDER)])
     message = f"no preset or scenario '{name[:64]}' is shipped"
     raise _refused(mark, message, f"{hint}{' ' if hint else ''}{known}", codes.UNKNOWN_BASE)
 
 
 def _shipped_files() -> dict[str, Path]:
-    return {**shipped_scenarios(), **{name: presets_folder() / f"{name}.yaml" for name in names_in(presets_folder())}}
+    return {**shipped_scenarios(), **{name: PRESETS_FOLDER / f"{name}.yaml" for name in names_in(PRESETS_FOLDER)}}
 
 
 def _scenarios_in(folder: Path) -> list[str]:
@@ -230,7 +230,7 @@ def find_scenario(source: str | Path) -> Path:
     if problem:
         raise ScenarioError([mark.error(codes.UNREADABLE_FILE, problem, "give a scenario in YAML")])
     hint = _nearest_file(path, shipped)
-    folders = {kind: listing(names_in(scenarios_folder() / kind)) for kind in ("", "examples", "variants")}
+    folders = {kind: listing(names_in(SCENARIOS_FOLDER / kind)) for kind in ("", "examples", "variants")}
     known = "; ".join(f"{kind} {names}".strip() for kind, names in folders.items())
     message = "no such file, and no shipped scenario of that name"
     help_ = f"did you mean '{hint}'? " if hint else ""

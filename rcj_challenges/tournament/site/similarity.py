@@ -16,7 +16,7 @@ from functools import cache
 from itertools import combinations
 from pathlib import Path
 
-from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.scenario.resources import TEAMS_FOLDER
 from rcj_challenges.submissions.archive import TeamError, read_contents
 
 LENGTH = 12
@@ -106,4 +106,4 @@ def _similar_files(one: Mapping[str, Rows], other: Mapping[str, Rows]) -> tuple[
 
 @cache
 def _sample_rows() -> Rows:
-    return frozenset[int]().union(*(token_rows(path.read_bytes()) for path in sorted(teams_folder().rglob("*.py"))))
+    return frozenset[int]().union(*(token_rows(path.read_bytes()) for path in sorted(TEAMS_FOLDER.rglob("*.py"))))

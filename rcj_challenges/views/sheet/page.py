@@ -16,7 +16,7 @@ from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import Result, Rule, Scenario
 from rcj_challenges.scenario.placeholders import filled
-from rcj_challenges.scenario.resources import names_in, presets_folder
+from rcj_challenges.scenario.resources import PRESETS_FOLDER, names_in
 from rcj_challenges.scenario.roster import ENTRANTS, Roster
 from rcj_challenges.scenario.rule_effects import layouts_of
 from rcj_challenges.views.drawing.field import picture_of
@@ -59,7 +59,7 @@ def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
 @cache
 def _presets() -> dict[str, tuple[Section, ...]]:
     """Return what there is to know of each preset."""
-    loaded = {name: load(presets_folder() / f"{name}.yaml") for name in names_in(presets_folder())}
+    loaded = {name: load(PRESETS_FOLDER / f"{name}.yaml") for name in names_in(PRESETS_FOLDER)}
     return {name: _full(one.scenario, one.roster) for name, one in loaded.items()}
 
 
