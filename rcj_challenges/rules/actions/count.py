@@ -10,6 +10,7 @@ from rcj_challenges.rules.number import takes_away
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import WHOSE_OF, WRITTEN_COUNTER
 from rcj_challenges.rules.values import Amount, amount_words, compile_amount
+from rcj_challenges.rules.values.counter import CounterValue
 
 
 class Count(Action):
@@ -34,23 +35,7 @@ class Count(Action):
     )
 
     EXCLUDES = (("to", ("by", "keeps_at_least", "keeps_at_most")),)
-    EXAMPLE = """
-counters: {rounds: {}}
-rules:
-  round:
-    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    # Actions read current values: the first round gives 1 point, the second 2.
-    actions: [{action: count, counter: rounds, by: 1}, {action: score, entrant: yellow, points: {counter: rounds}}]
-expect:
-  two_rounds_give_three_points:
-    keyframes:
-      - {at_s: 1, place: {ball: [0, 0.8]}}
-      - {at_s: 2, place: {ball: [0, 0]}}
-      - {at_s: 3, place: {ball: [0, 0.8]}}
-    lasts_s: 4
-    score: {yellow: 3}
-    counters: {rounds: 2}
-"""
+    EXAMPLE = CounterValue.EXAMPLE
 
     def compile(self, to: Binder) -> Act:
         """Return a function that changes a counter: first ``to``, then ``by``."""
