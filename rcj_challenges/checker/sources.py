@@ -37,7 +37,6 @@ _MAX_FINDINGS = 40
 _MAX_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
 _RISKS: tuple[Risk, ...] = ("certain", "caught", "possible")
 """The most serious first: a file that is imported in several ways counts as it does in the most serious of them."""
-_ONLY_IF_REACHED = "; that ends the program only if it is reached"
 # Programs that write modules, or import them from ZIP files: whether an import finds one shows only when it runs.
 _MAKES_MODULES = re.compile(
     rb"""\bsys\.modules[ ]?\[[^\]\n]{1,80}\][ ]?=|\.zip["']|\bmeta_path\b|\.py["'],[ ]?(?:mode[ ]?=[ ]?)?["'][wx]"""
@@ -180,14 +179,8 @@ class _Walk:
             message = (
                 f'imports "{sanitize(wanted.module)}", which is for {use}: a match refuses that as soon as it is used'
             )
-            self._add(
-                file,
-                wanted,
-                "warning",
-                codes.SOURCES_REFUSED_MODULE,
-                message,
-                "play without it; unused, it does no harm",
-            )
+            help_ = "play without it; unused, it does no harm"
+            self.findings.append(Diagnostic(codes.SOURCES_REFUSED_MODULE, message, help_, _place(file, wanted)))
         if is_pythons and not is_here(first):
             message = (
                 f'imports "{sanitize(first)}", which is part of Python on some computers, but not on this one '
@@ -211,11 +204,8 @@ class _Walk:
         place = self._usual.lies_at(name)
         if place is not None:
             message = f'imports "{quoted}", but {sanitize(place)} is not where Python looks for it'
-            return (
-                codes.SOURCES_ELSEWHERE,
-                message,
-                "move the file beside the program, or import it by the name of its folder",
-            )
+            help_ = "move the file beside the program, or import it by the name of its folder"
+            return codes.SOURCES_ELSEWHERE, message, help_
         return codes.SOURCES_MISSING_MODULE, nowhere, self._help_for_missing(name, parts)
 
     def _help_for_missing(self, name: str, parts: list[str]) -> str:
@@ -235,19 +225,21 @@ class _Walk:
 
     def _report(self, file: PurePosixPath, wanted: Import, code: Code, message: str, help_: str) -> None:
         """Report an import that fails: it ends the program, unless it is caught or never reached."""
+        level: Level = "warning"
         if wanted.risk == "caught":
             message += "; the program has a way out (try … except)"
-            self._add(file, wanted, "warning", code, message, "make sure that it plays well without")
+            help_ = "make sure that it plays well without"
         elif wanted.risk == "possible":
-            self._add(file, wanted, "warning", code, message + _ONLY_IF_REACHED, help_)
+            message += "; that ends the program only if it is reached"
         elif self._makes_modules and code == codes.SOURCES_MISSING_MODULE:
-            self._add(file, wanted, "warning", code, message + _RUNNING_SHOWS, help_)
+            message += _RUNNING_SHOWS
         else:
-            self._add(file, wanted, "error", code, message, help_)
+            level = "error"
+        self.findings.append(Diagnostic(code, message, help_, _place(file, wanted), level=level))
 
-    def _add(self, file: PurePosixPath, wanted: Import, level: Level, code: Code, message: str, help_: str) -> None:
-        where = f"{sanitize(file)}:{wanted.line}:{wanted.column}"
-        self.findings.append(Diagnostic(code, message, help_, where, level=level))
+
+def _place(file: PurePosixPath, wanted: Import) -> str:
+    return f"{sanitize(file)}:{wanted.line}:{wanted.column}"
 
 
 def _module_name(path: PurePosixPath) -> str:
@@ -257,11 +249,9 @@ def _module_name(path: PurePosixPath) -> str:
 def _missing_part(module: Module, name: str, part: str) -> tuple[Code, str, str]:
     whole = sanitize(f"{name}.{part}")
     if module.folder is None:
-        return (
-            codes.SOURCES_MISSING_PART,
-            f'imports "{whole}", but "{sanitize(name)}" is a file, not a folder',
-            f"correct the import: a file of the same folder is imported as {sanitize(part)}",
-        )
+        message = f'imports "{whole}", but "{sanitize(name)}" is a file, not a folder'
+        help_ = f"correct the import: a file of the same folder is imported as {sanitize(part)}"
+        return codes.SOURCES_MISSING_PART, message, help_
     message = f'imports "{whole}", but there is no {sanitize(part)}.py in the folder {sanitize(module.folder)}'
     return codes.SOURCES_MISSING_PART, message, "add the file to the submission, or correct the import"
 

@@ -6,7 +6,7 @@ Lines are only searched as text: untrusted programs are parsed in a separate pro
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import PurePosixPath
 
 from rcj_challenges.core.sanitize import sanitize
@@ -41,13 +41,9 @@ def hidden_error_help(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath
 
 def _find(pattern: re.Pattern[bytes], files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
     """Return the first place of a pattern in the programs beside the entry, the entry first; empty if there is none."""
-    for path in _beside(files, entry):
+    programs = [path for path in files if path.parent == entry.parent and path.suffix == ".py"]
+    for path in sorted(programs, key=lambda path: (path != entry, path)):
         if (found := pattern.search(files[path], 0, _MAX_BYTES)) is not None:
             line = files[path].count(b"\n", 0, found.start()) + 1
             return f"line {line}" + ("" if path == entry else f" of {sanitize(path)}")
     return ""
-
-
-def _beside(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> Iterator[PurePosixPath]:
-    own = (path for path in files if path.parent == entry.parent and path.suffix == ".py")
-    yield from sorted(own, key=lambda path: (path != entry, path))
