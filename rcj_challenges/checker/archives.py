@@ -15,9 +15,7 @@ from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.archive import Contents
-from rcj_challenges.submissions.team import Opening, Team, TeamError, look_into
-
-__all__ = ["Inspection", "TeamError", "inspect"]
+from rcj_challenges.submissions.team import Opening, Team, look_into
 
 
 @dataclass(frozen=True)

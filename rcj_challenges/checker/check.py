@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rcj_challenges.checker.archives import Inspection, TeamError, inspect
+from rcj_challenges.checker.archives import Inspection, inspect
 from rcj_challenges.checker.codes import CHECK_BROKEN, CHECK_IMPOSSIBLE
 from rcj_challenges.checker.designs import check_designs
 from rcj_challenges.checker.discovery import SubmissionName, name_submissions
@@ -34,9 +34,8 @@ from rcj_challenges.core.temporary_folder import temporary_folder_error
 from rcj_challenges.programs.private_folders import PrivateFolders
 from rcj_challenges.programs.scratch import ensure_room
 from rcj_challenges.records.errors import RecordError, UnwritableError
-from rcj_challenges.records.logos import PNG_SIGNATURE
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.submissions.team import Team
+from rcj_challenges.submissions.team import Team, TeamError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -193,7 +192,6 @@ class _Check:
         unknown = [one.message for stage in stages for one in stage.findings if one.level == "unchecked"]
         inspection = self._inspection
         logo = inspection.logo if inspection is not None else None
-        is_shown = logo is not None and logo.startswith(PNG_SIGNATURE) and len(logo) <= _MAX_LOGO_BYTES
         return FileReport(
             file=self._named.name,
             level=level,
@@ -208,7 +206,7 @@ class _Check:
             started=self._started,
             matches=self._matches,
             wall_s=round(wall_s, 3),
-            logo=logo if is_shown else None,
+            logo=logo if logo is not None and len(logo) <= _MAX_LOGO_BYTES else None,
         )
 
     def _obstacle(self, name: StageName) -> str:
