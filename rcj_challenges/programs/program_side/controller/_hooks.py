@@ -70,11 +70,7 @@ class AfterImport:
             return spec
         if isinstance(spec.loader, type):
             spec.loader = _BuiltIn(spec.loader)  # type: ignore[assignment]  # all that the import system asks of one
-        self._run_after(spec.loader, patch)
-        return spec
-
-    @staticmethod
-    def _run_after(loader: Any, patch: Patch) -> None:
+        loader: Any = spec.loader
         real = loader.exec_module
 
         def exec_module(module: ModuleType) -> None:
@@ -82,3 +78,4 @@ class AfterImport:
             patch(module)
 
         loader.exec_module = exec_module
+        return spec

@@ -86,18 +86,10 @@ class Wire:
         return answer if whole else self._receive_in_pieces(answer)
 
     def _receive_in_pieces(self, held: bytes) -> bytes:
-        parts, have, end = [held], len(held), 4
         if not held:
             leave(1)
-        while have < end or end == 4:
-            if have >= 4 and end == 4:
-                parts = [b"".join(parts)]
-                end = 4 + _LENGTH.unpack_from(parts[0])[0]
-                continue
-            part = os.read(self._read_fd, _LARGE_READ) or leave(1)
-            parts.append(part)
-            have += len(part)
-        held = b"".join(parts)
+        while len(held) < 4 or len(held) < (end := 4 + _LENGTH.unpack_from(held)[0]):
+            held += os.read(self._read_fd, _LARGE_READ) or leave(1)
         self._rest = held[end:]
         return held[:end]
 
