@@ -96,12 +96,7 @@ class ProgramLog:
         self.take_over()
         if self.fd >= 0 and self._size_bytes() == self._shown:
             return ""
-        try:
-            with self._path.open("rb") as file:
-                file.seek(self._shown)
-                chunk = file.read()
-        except OSError:
-            return ""
+        chunk = self._from(self._shown)
         self._shown += len(chunk)
         return self._decoder.decode(chunk)
 
@@ -109,12 +104,7 @@ class ProgramLog:
         """Take the interpreter's dump of a dying process from the end; return its lines about files in ``folder``."""
         self.take_over()
         size = self._size_bytes()
-        try:
-            with self._path.open("rb") as file:
-                file.seek(max(0, size - _MAX_DUMP_BYTES))
-                tail = file.read()
-        except OSError:
-            return ""
+        tail = self._from(max(0, size - _MAX_DUMP_BYTES))
         at = _place_of_dump(tail)
         if at < 0:
             return ""
@@ -143,6 +133,13 @@ class ProgramLog:
         if sys.platform == "win32":
             with contextlib.suppress(OSError):
                 self._output_path.unlink()
+
+    def _from(self, at: int) -> bytes:
+        """Return what is in the log from a place on; nothing if it cannot be read."""
+        with contextlib.suppress(OSError), self._path.open("rb") as file:
+            file.seek(at)
+            return file.read()
+        return b""
 
     def _size_bytes(self) -> int:
         return os.fstat(self._log_fd).st_size

@@ -27,12 +27,7 @@ def has_lost_main_thread(pid: int) -> bool:
 
     Then ``/proc/PID/fd`` is empty, whatever they have open. A process that is ending may look the same for a moment.
     """
-    try:
-        with open(f"/proc/{pid}/task/{pid}/stat", "rb", buffering=0) as file:  # noqa: PTH123 - called while a match waits
-            state = file.read().rpartition(b")")[2].split()[0]
-    except (OSError, IndexError):
-        return False
-    return state == b"Z" and threads_of(pid) > 1
+    return _state(pid, pid) == b"Z" and threads_of(pid) > 1
 
 
 @functools.cache
@@ -81,9 +76,14 @@ def _thread_times(pid: int) -> dict[int, ThreadTimes] | None:
 
 def is_runnable(pid: int, thread: int) -> bool:
     """Return whether a thread runs or waits for a processor at this moment (Linux)."""
+    return _state(pid, thread) == b"R"
+
+
+def _state(pid: int, thread: int) -> bytes:
+    """Return the letter of a thread's state, as in ``proc_pid_stat(5)``; nothing if it is unknown."""
     with contextlib.suppress(OSError, IndexError), open(f"/proc/{pid}/task/{thread}/stat", "rb", buffering=0) as file:  # noqa: PTH123
-        return file.read().rpartition(b")")[2].split()[0] == b"R"
-    return False
+        return file.read().rpartition(b")")[2].split()[0]
+    return b""
 
 
 def held_up_here_s() -> float:
