@@ -29,9 +29,7 @@ def check_start(rehearsal: Rehearsal) -> tuple[Stage, Rehearsed, MissingDevices]
     missing = missing_by_device(started)
     stage.findings += device_findings("start", missing, rehearsal)  # before what follows from it
     stage.findings += fault_findings("start", rehearsal, started)
-    slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
-    if slow is not None:
-        stage.findings.append(slow)
+    stage.findings += _slow(started, rehearsal.loaded.scenario.limits.start_s)
     if not stage.failed:
         longest_s = max((wait.started_s for wait in started.waits.values()), default=0.0)
         robots = ", ".join(started.robots)
@@ -41,14 +39,11 @@ def check_start(rehearsal: Rehearsal) -> tuple[Stage, Rehearsed, MissingDevices]
     return stage, started, missing
 
 
-def _slow(started: Rehearsed, limit_s: float) -> Diagnostic | None:
+def _slow(started: Rehearsed, limit_s: float) -> list[Diagnostic]:
     """Return a warning for programs that come near the limit; a slower computer would stop them."""
     slow = {robot: wait.started_s for robot, wait in started.waits.items() if wait.started_s > _SLOW_SHARE * limit_s}
     if not slow:
-        return None
-    return Diagnostic(
-        START_SLOW,
-        f"it takes {max(slow.values()):.0f} s until the first step; {limit_s:g} s are allowed",
-        "prepare less before the first step: on a slower computer the program would be stopped",
-        ", ".join(slow),
-    )
+        return []
+    message = f"it takes {max(slow.values()):.0f} s until the first step; {limit_s:g} s are allowed"
+    help_ = "prepare less before the first step: on a slower computer the program would be stopped"
+    return [Diagnostic(START_SLOW, message, help_, ", ".join(slow))]
