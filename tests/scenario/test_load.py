@@ -2,6 +2,7 @@
 
 import errno
 import json
+import time
 from pathlib import Path
 
 import pytest
@@ -135,3 +136,14 @@ def test_the_scenario_of_a_record_is_loaded_as_a_file(tmp_path):
     recorded.write_text(json.dumps(played.resolved), encoding="utf-8")
     assert load(recorded).resolved == played.resolved
     assert load(recorded, ["match.half_s=30"]).scenario.match.half_s == 30
+
+
+@pytest.mark.parametrize("in_circles", [False, True])
+def test_many_groups_within_groups_are_checked_quickly(in_circles):
+    """Measured as the processor's time, since this one may be busy with other tests."""
+    names = [f"g{number}" for number in range(60)]
+    groups = {name: ["B1", *(names if in_circles else names[at + 1 :])] for at, name in enumerate(names)}
+    began_s = time.process_time()
+    problems = problems_of(load_text, f"{HEAD}groups: {json.dumps(groups)}\n")
+    assert time.process_time() - began_s < 4
+    assert {problem.code for problem in problems} == ({"group-in-itself"} if in_circles else set())

@@ -69,6 +69,7 @@ def _colours(roster: Roster, root: Entries) -> Iterator[Diagnostic]:
 
 def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iterator[Diagnostic]:
     known = {**roster.kinds, **roster.groups}
+    inside = _groups_inside(root, roster)
     are_all_known = all(isinstance(root.entries.get(section, root), Entries) for section in _SECTIONS)
     for group in roster.names("groups"):
         members = node_at(root, ("groups", group))
@@ -80,7 +81,7 @@ def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iter
                     help_ = removal_help(name, _SECTIONS, removed) or choice_of(name, known)
                     if are_all_known:
                         yield issue(UNKNOWN_NAME, path, f"unknown name '{name[:64]}'", help_)
-                elif _leads_to(root, roster, name, group):
+                elif name == group or group in inside.get(name, ()):
                     yield issue(
                         GROUP_IN_ITSELF, path, f"'{name}' leads back to '{group}': a group cannot contain itself"
                     )
@@ -94,13 +95,20 @@ def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iter
                             yield issue(MIXED_GROUP, path, message, "make a group for each kind")
 
 
-def _leads_to(root: Entries, roster: Roster, name: str, group: str) -> bool:
-    """Return whether following a member leads back to the group."""
-    groups, reached = roster.names("groups"), [name]
-    for one in reached:
-        members = dict.fromkeys(texts(node_at(root, ("groups", one)))[:MAX_MEMBERS])
-        reached += [member for member in members if member in groups and member not in reached]
-    return group in reached
+def _groups_inside(root: Entries, roster: Roster) -> dict[str, set[str]]:
+    """Return by group all groups to which its members lead."""
+    groups = set(roster.names("groups"))
+    direct = {group: groups & set(texts(node_at(root, ("groups", group)))[:MAX_MEMBERS]) for group in groups}
+    inside: dict[str, set[str]] = {}
+    for group in groups:
+        found: set[str] = set()
+        left = [group]
+        while left:
+            new = direct[left.pop()] - found
+            found |= new
+            left += new
+        inside[group] = found
+    return inside
 
 
 def removal_help(name: str, sections: Iterable[str], removed: Mapping[Path, Mark]) -> str:
