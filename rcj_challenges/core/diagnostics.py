@@ -164,7 +164,6 @@ def issue(
     help_: str = "",
     at_key: bool = False,
     other: tuple[str | int, ...] = (),
-    level: Level | None = None,
 ) -> Diagnostic:
     """A diagnostic at a place of a tree; arguments as of `Diagnostic` and `InTree`."""
-    return Diagnostic(code, message, help_, InTree(keys=keys, at_key=at_key, other=other), level or code.level)
+    return Diagnostic(code, message, help_, InTree(keys=keys, at_key=at_key, other=other))
