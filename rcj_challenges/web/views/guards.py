@@ -18,9 +18,6 @@ P = ParamSpec("P")
 Audience = Literal["team", "mentor", "organizer"]
 View = Callable[Concatenate[HttpRequest, Viewer, P], HttpResponseBase]
 
-AUDIENCES: dict[str, tuple[str, ...]] = {}
-"""By the name of a view those who may open it; views that are not named are for all."""
-
 
 def only(
     audience: Audience, *, post: bool = False
@@ -42,7 +39,6 @@ def only(
                 return HttpResponseNotAllowed(["POST"])
             return view(request, viewer, *args, **kwargs)
 
-        AUDIENCES[view.__name__] = (audience,) if audience != "mentor" else ("mentor", "organizer")
         return guarded
 
     return decorate
