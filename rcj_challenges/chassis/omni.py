@@ -152,8 +152,7 @@ class OmniDrive(Drive):
             for mount, chassis in robots
         }
         super().__init__(physics.turned_rad, wheels)
-        self._qpos, self._qvel, self._turned_rad = physics.qpos, physics.qvel, physics.turned_rad
-        self._coefficients = physics.coefficients
+        self._qpos, self._qvel, self._coefficients = physics.qpos, physics.qvel, physics.coefficients
         # By robot: where it stands in `qpos` and `qvel`, its coefficients, what writes them, and its wheels.
         self._robots = [
             (mount.at, physics.coefficients.itemsize * mount.coefficient, Struct(f"{4 * len(some)}d").pack_into, some)
@@ -180,4 +179,4 @@ class OmniDrive(Drive):
             self._qvel[at + YAW + 1] = 1.0
             for wheel in wheels:
                 if wheel.turns_radps:
-                    self._turned_rad[wheel.at] += wheel.turns_radps * TICK_S
+                    self._angles_rad[wheel.at] += wheel.turns_radps * TICK_S
