@@ -127,6 +127,11 @@ class Eye:
     fov_rad: float
     down: float
 
+    @property
+    def lens(self) -> tuple[int, int, float, float, float]:
+        """What decides the rays of a picture: pictures with the same are taken together."""
+        return self.width, self.height, self.fov_rad, self.down, self.height_m
+
 
 class Seen(NamedTuple):
     """What a camera recognizes, in the camera's frame: x ahead, y left, z up.
@@ -177,7 +182,7 @@ class Sight(Protocol):
     def take(self, eyes: "Sequence[tuple[int, Eye]]") -> list[bytes]:
         """Return a picture from each eye, on the robot of this index: a number of the palette per pixel, row by row.
 
-        All eyes have lenses of the same shape.
+        All eyes have the same lens.
         """
 
     def recognize(self, eyes: "Sequence[tuple[int, Eye]]") -> list[list[Seen]]:

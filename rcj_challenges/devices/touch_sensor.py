@@ -1,9 +1,9 @@
 """The device ``touch_sensor``: a bumper."""
 
 import math
-from typing import Any, Literal
+from typing import Literal
 
-from rcj_challenges.devices.base import Device, Fitted, RobotSetup, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import degrees
@@ -29,9 +29,6 @@ robots:
 
     def looks(self) -> tuple[float, float]:
         return self.bearing_rad, self.angle_rad
-
-    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
-        return {}
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         return TouchSensor(self, fitted, context)

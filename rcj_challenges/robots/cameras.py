@@ -76,8 +76,7 @@ class Cameras:
             elif poses.parked[one.robot]:
                 self._deliver(one, number, bytes((1, 0, 0, 0)) + bytes(device.width * device.height))
             else:
-                lens = (eye.width, eye.height, eye.fov_rad, eye.down, eye.height_m)
-                due.setdefault(lens, []).append((one, eye))
+                due.setdefault(eye.lens, []).append((one, eye))
         for together in due.values():
             pictures = self._sight.take([(one.robot, eye) for one, eye in together])
             for (one, _), picture in zip(together, pictures, strict=True):

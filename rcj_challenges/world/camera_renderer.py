@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from itertools import groupby, pairwise
 
 import numpy as np
@@ -59,9 +60,9 @@ class CameraRenderer:
     def take(self, eyes: Sequence[tuple[int, Eye]]) -> list[bytes]:
         """Return a picture from each eye, on the robot of this index: a number of the palette per pixel, row by row.
 
-        All eyes have lenses of the same shape.
+        All eyes have the same lens.
         """
-        lens = _lens_of(eyes[0][1])
+        lens = _lens(*eyes[0][1].lens)
         views = _Views(lens, [self._place(robot, eye) for robot, eye in eyes], [robot for robot, _ in eyes])
         picture = self._floor.picture(views)
         _paint(picture, [self._prisms.spans(views), *self._disc_spans(views), *self._ball_spans(views)])
@@ -147,24 +148,20 @@ class _Lens:
         return np.tile(self.ahead * self.ahead + self.aside * self.aside, count)
 
 
-_LENSES: dict[tuple[object, ...], _Lens] = {}
-
-
-def _lens_of(eye: Eye) -> _Lens:
-    key = (eye.width, eye.height, eye.fov_rad, eye.down, eye.height_m)
-    if key not in _LENSES:
-        if eye.fov_rad < math.pi:
-            edge = math.tan(eye.fov_rad / 2)
-            aside = [edge * (1 - 2 * (column + 0.5) / eye.width) for column in range(eye.width)]
-            ahead, pitch = [1.0] * eye.width, 2 * edge / eye.width
-        else:
-            angles = [eye.fov_rad * (0.5 - (column + 0.5) / eye.width) for column in range(eye.width)]
-            ahead, aside = [math.cos(angle) for angle in angles], [math.sin(angle) for angle in angles]
-            pitch = eye.fov_rad / eye.width
-        above = (1 - eye.down) * eye.height
-        slopes = [(above - (row + 0.5)) * pitch for row in range(eye.height)]
-        _LENSES[key] = _Lens(np.array(ahead), np.array(aside), np.array(slopes), above, pitch, eye.height_m)
-    return _LENSES[key]
+@cache
+def _lens(width: int, height: int, fov_rad: float, down: float, height_m: float) -> _Lens:
+    """Return the lens of `Eye.lens`; the same one each time."""
+    if fov_rad < math.pi:
+        edge = math.tan(fov_rad / 2)
+        aside = [edge * (1 - 2 * (column + 0.5) / width) for column in range(width)]
+        ahead, pitch = [1.0] * width, 2 * edge / width
+    else:
+        angles = [fov_rad * (0.5 - (column + 0.5) / width) for column in range(width)]
+        ahead, aside = [math.cos(angle) for angle in angles], [math.sin(angle) for angle in angles]
+        pitch = fov_rad / width
+    above = (1 - down) * height
+    slopes = [(above - (row + 0.5)) * pitch for row in range(height)]
+    return _Lens(np.array(ahead), np.array(aside), np.array(slopes), above, pitch, height_m)
 
 
 class _Views:
