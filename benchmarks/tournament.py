@@ -28,7 +28,8 @@ from sqlalchemy import insert
 from benchmarks.rows import Row, as_users_have_it, parser, show
 from rcj_challenges.cli.tournament.run import prepare
 from rcj_challenges.cli.tournament.run_lines import RunLines
-from rcj_challenges.match.batch import Job, play_many
+from rcj_challenges.match.batch import Job
+from rcj_challenges.match.worker_pool import run_all
 from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.executor import LocalExecutor
@@ -84,7 +85,7 @@ def match_rows(folder: Path, *, is_quick: bool) -> list[Row]:
         check_s = time.perf_counter() - began
         fixtures = tournament.state().open_fixtures()
         runs = [_run_job(tournament, fixture, jobs, half_s, folder / "runs") for fixture in fixtures]
-        run_s = timed(lambda: play_many(runs, LANES, lambda _: None))
+        run_s = timed(lambda: run_all(runs, LANES, lambda _: None))
         runner = Runner(tournament, jobs, LocalExecutor(store.place, LANES), lines)
         tournament_s = timed(runner.run)
         assert len(store.played()) == len(fixtures)

@@ -85,7 +85,7 @@ def compare(
 
 def _played(jobs: Iterable[Job], known: Sequence[Outcome], at_once: int, *, quiet: bool) -> dict[Job, Outcome]:
     """Play what is not known; then, one at a time, what a busy computer may have spoilt."""
-    from rcj_challenges.match import batch
+    from rcj_challenges.match.worker_pool import run_all
     from rcj_challenges.records.result import has_time_fault
     from rcj_challenges.views.console import console_for
 
@@ -93,9 +93,9 @@ def _played(jobs: Iterable[Job], known: Sequence[Outcome], at_once: int, *, quie
     todo = [job for job in dict.fromkeys(jobs) if job not in outcomes]
     total = len(outcomes) + len(todo)
     progress = Progress(console_for(to_stderr=True), total, known, quiet=quiet)
-    played = batch.play_many(todo, at_once, progress.done)
+    played = run_all(todo, at_once, progress.done)
     again = [outcome.job for outcome in played if outcome.result is None or has_time_fault(outcome.result)]
-    played += batch.play_many(again, 1, lambda _: None)
+    played += run_all(again, 1, lambda _: None)
     return outcomes | {outcome.job: outcome for outcome in played}
 
 

@@ -60,14 +60,14 @@ def simulate(
         jobs, known = prepared(loaded, scenario, seeds, teams, overrides, out, sandbox)
     except KeyboardInterrupt as error:
         raise KeyboardInterrupt("no match had begun, and nothing is recorded") from error
-    from rcj_challenges.match.batch import play_many
+    from rcj_challenges.match.worker_pool import run_all
     from rcj_challenges.views.console import console_for
 
     rank = loaded.scenario.result.rank
     progress = Progress(console_for(to_stderr=True), len(jobs), list(known.values()), quiet=quiet or json_)
     todo = [job for job in jobs if job.seed not in known]
     try:
-        played = play_many(todo, at_once or os.cpu_count() or 1, progress.done)
+        played = run_all(todo, at_once or os.cpu_count() or 1, progress.done)
     except KeyboardInterrupt as error:
         if progress.outcomes or json_:
             _report(progress.outcomes, rank, as_json=json_)

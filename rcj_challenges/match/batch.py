@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
+from rcj_challenges.match.worker_pool import Attempt, python_command
 
 _WRONG_INPUT = 2
 _START = "import sys; sys.path.append(sys.argv.pop(1)); from rcj_challenges.cli.child import main; main()"
@@ -118,18 +118,3 @@ def _code_in(out: str) -> str:
         return str(json.loads(out.splitlines()[-1])["code"])
     except (ValueError, LookupError, TypeError):
         return ""
-
-
-def play_many(jobs: Sequence[Job], at_once: int, on_done: Callable[[Outcome], None]) -> list[Outcome]:
-    """Play all jobs, a few at a time, and return their outcomes in the order of the jobs.
-
-    A match whose process died for a reason of its own (exit code 3 or a signal) is tried once more. On Ctrl-C the
-    running ones are interrupted and keep their records; ``on_done`` has been called with all outcomes before. If this
-    process is killed, they end as on Ctrl-C.
-
-    ``on_done`` is called in this thread with each outcome as it comes.
-
-    Raises:
-        KeyboardInterrupt: after the running matches have been ended.
-    """
-    return run_all(jobs, at_once, on_done)

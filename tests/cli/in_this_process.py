@@ -46,7 +46,7 @@ def one_after_the_other(
 
 
 def played_one_after_the_other(jobs: Sequence[Job], at_once: int, on_done: Callable[[Outcome], None]) -> list[Outcome]:
-    """Play as `play_many` does, where it does not matter that each match has a process of its own."""
+    """Play as `run_all` does, where it does not matter that each match has a process of its own."""
     outcomes = []
     for job in jobs:
         with redirect_stdout(io.StringIO()) as printed:

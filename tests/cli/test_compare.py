@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from rcj_challenges.match import batch
+from rcj_challenges.match import worker_pool
 from tests.cli.conftest import ONE_ROBOT, STAND
 from tests.cli.in_this_process import here, played_one_after_the_other
 
@@ -46,7 +46,7 @@ def compare(tmp_path, monkeypatch, capsys):
             played.extend(jobs)
             return outcomes
 
-        monkeypatch.setattr(batch, "play_many", play)
+        monkeypatch.setattr(worker_pool, "run_all", play)
         options = ("--scenario=stood_still.yaml", "--against=opponent.py", *ONE_ROBOT, "--quiet")
         code = here(monkeypatch, tmp_path, "compare", new, old, *options, *more)
         return [job.seed for job in played], code, capsys.readouterr()

@@ -11,7 +11,7 @@ import pytest
 
 from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.match import batch
+from rcj_challenges.match import worker_pool
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.views.replay.browse import address_of, playing_address
 from tests.cli.conftest import ONE_ROBOT, STAND
@@ -84,7 +84,7 @@ def test_a_replay_plays_by_itself_also_where_the_system_drops_the_fragment_of_an
 
 
 def test_simulate_plays_every_seed_and_reports_the_spread(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
+    monkeypatch.setattr(worker_pool, "run_all", played_one_after_the_other)
     team = tmp_path / "team.py"
     team.write_text(STAND, "utf-8")
     code = run(
@@ -104,7 +104,7 @@ def test_simulate_plays_every_seed_and_reports_the_spread(tmp_path, capsys, monk
 
 
 def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
+    monkeypatch.setattr(worker_pool, "run_all", played_one_after_the_other)
     out = tmp_path / "runs"
     run(
         "simulate", "match", "--seeds", "1", "--duration", "0.1", *ONE_ROBOT, "--out", out, "--sandbox", "off", "--json"
@@ -115,7 +115,7 @@ def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
 
 
 def test_simulate_plays_nothing_in_a_sandbox_that_there_is_not(tmp_path, monkeypatch):
-    monkeypatch.setattr(batch, "play_many", lambda *_: pytest.fail("a match was begun"))
+    monkeypatch.setattr(worker_pool, "run_all", lambda *_: pytest.fail("a match was begun"))
     with pytest.raises(RcjError, match="unknown sandbox 'loose'"):
         run("simulate", "match", "--seeds", "1..9", "--sandbox", "loose", "--out", tmp_path / "runs")
 
@@ -130,7 +130,7 @@ def outcome(seed, score=None, *, wrong_input=True):
 @pytest.mark.parametrize(("wrong_input", "code"), [(True, 2), (False, 3)], ids=["this computer's", "ours"])
 def test_simulate_prints_the_matches_played_before_the_disk_was_full(monkeypatch, capsys, wrong_input, code):
     outcomes = [outcome(1, 7), outcome(2, wrong_input=wrong_input), outcome(3, wrong_input=wrong_input)]
-    monkeypatch.setattr(batch, "play_many", lambda *_: outcomes)
+    monkeypatch.setattr(worker_pool, "run_all", lambda *_: outcomes)
     assert run("simulate", "match", "--seeds", "1..3", "--json") == code
     printed = json.loads(capsys.readouterr().out)
     assert printed["scores"] == [{"seed": 1, "blue": 7}]
@@ -149,6 +149,6 @@ def test_no_room_for_lines_of_progress_ends_no_matches(monkeypatch, capsys):
 
     monkeypatch.setattr(sys, "stderr", Full())
     outcomes = [outcome(1, 7), outcome(2, 5)]
-    monkeypatch.setattr(batch, "play_many", lambda _, __, on_done: [on_done(one) or one for one in outcomes])
+    monkeypatch.setattr(worker_pool, "run_all", lambda _, __, on_done: [on_done(one) or one for one in outcomes])
     assert run("simulate", "match", "--seeds", "1..2") == 0
     assert "2 matches" in capsys.readouterr().out

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.match import batch
+from rcj_challenges.match import worker_pool
 from tests.cli.conftest import ONE_ROBOT, STAND
 from tests.cli.in_this_process import here, played_one_after_the_other
 
@@ -28,7 +28,7 @@ def simulate(tmp_path, monkeypatch, capsys):
             played.extend(job.seed for job in jobs)
             return played_one_after_the_other(jobs, at_once, on_done)
 
-        monkeypatch.setattr(batch, "play_many", play)
+        monkeypatch.setattr(worker_pool, "run_all", play)
         teams = ("--team", f"blue={blue}", "--team", "yellow=bee.py")
         assert here(monkeypatch, tmp_path, "simulate", "match", "--seeds", seeds, *teams, *DUEL, *more, "--json") == 0
         return played, json.loads(capsys.readouterr().out)

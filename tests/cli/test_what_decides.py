@@ -8,7 +8,7 @@ import pytest
 
 from rcj_challenges.cli.commands import load_app
 from rcj_challenges.cli.simulate import rank_summary
-from rcj_challenges.match import batch
+from rcj_challenges.match import worker_pool
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.scenario.models.scenario import Result
 from rcj_challenges.views.scoreboard import ranking_lines
@@ -96,7 +96,7 @@ def test_a_run_that_time_decides_ends_with_places_and_times(tmp_path, capsys):
 @pytest.fixture
 def in_this_process(monkeypatch):
     """Let ``simulate`` play its matches here, each of which else is a second for what has to be loaded."""
-    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
+    monkeypatch.setattr(worker_pool, "run_all", played_one_after_the_other)
 
 
 @pytest.mark.usefixtures("in_this_process")

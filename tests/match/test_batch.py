@@ -9,6 +9,7 @@ from rcj_challenges.cli.simulate import parse_seeds, summary
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
+from rcj_challenges.match.worker_pool import run_all
 
 
 @pytest.mark.parametrize(
@@ -76,7 +77,7 @@ def test_a_match_whose_process_cannot_be_started_is_a_fault_of_the_computer(monk
         raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
 
     monkeypatch.setattr(batch.MatchProcess, "__init__", refuse)
-    (outcome,) = batch.play_many([Job(1, ())], 1, lambda _: None)
+    (outcome,) = run_all([Job(1, ())], 1, lambda _: None)
     assert outcome.result is None
     assert outcome.wrong_input
     assert "cannot start one more match" in outcome.complaint
@@ -99,5 +100,5 @@ def test_a_match_that_could_not_be_played_is_named_with_its_seed():
 
 
 def test_a_match_that_ends_with_an_error_has_the_code_of_the_error():
-    (outcome,) = batch.play_many([Job(1, ("no_such_scenario.yaml",))], 1, lambda _: None)
+    (outcome,) = run_all([Job(1, ("no_such_scenario.yaml",))], 1, lambda _: None)
     assert (outcome.result, outcome.wrong_input, outcome.code) == (None, True, "no-such-file")

@@ -116,12 +116,13 @@ def _real_time_factor(tournament: OpenTournament) -> float | None:
 
 def _measured(folder: Path) -> float | None:
     """Play a short match of the sample teams, as many times side by side as matches are played."""
-    from rcj_challenges.match.batch import Job, play_many
+    from rcj_challenges.match.batch import Job
+    from rcj_challenges.match.worker_pool import run_all
 
     arguments = ("match", "--duration", str(_TRIAL_S), "--halves", "1", "--no-replay", "--quiet", "--out", str(folder))
     jobs = [Job(seed, arguments) for seed in range(1, (os.cpu_count() or 1) + 1)]
     try:
-        results = [outcome.result for outcome in play_many(jobs, len(jobs), lambda _: None) if outcome.result]
+        results = [outcome.result for outcome in run_all(jobs, len(jobs), lambda _: None) if outcome.result]
     except RcjError:
         return None
     played_s = [result["wall_s"] - result["start_up_s"] for result in results]
