@@ -7,10 +7,9 @@ from typing import Any, ClassVar, NamedTuple
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, Test, ValueWord
 from rcj_challenges.rules.fields import Name, Names, Point, described
-from rcj_challenges.rules.number import Amount, NumberValue, amount_words, compile_amount
+from rcj_challenges.rules.number import Amount, NumberValue, Valued, amount_words, compile_amount, with_keys_of
 from rcj_challenges.rules.phrasing import Clause
 from rcj_challenges.rules.quantifier import Quantifier, quantified
-from rcj_challenges.rules.valued import Valued, with_keys_of
 
 
 class _Bound(NamedTuple):
@@ -126,7 +125,8 @@ class Compared(Valued, Condition):
         """Return the comparison as the part of a sentence that follows ``if``."""
         value = self.value
         clause = None if value.is_computed() else value.clause(phrases)
-        if clause and not (clause.unit and self.compares_with_value() and _is_of_one(phrases, clause)):
+        is_of_one = clause and isinstance(clause.names, str) and not phrases.is_several(clause.names)
+        if clause and not (clause.unit and self.compares_with_value() and is_of_one):
             return self._describe_clause(phrases, clause)
         if not value.is_computed() and (words := value.describe_compared(phrases, self)):
             return words
@@ -192,10 +192,6 @@ def _comparison(
         return other is not None and operate(value if digits is None else round(value, digits), other)
 
     return compare
-
-
-def _is_of_one(phrases: Phrases, clause: Clause) -> bool:
-    return isinstance(clause.names, str) and not phrases.is_several(clause.names)
 
 
 def comparison_of(value: type[NumberValue]) -> type[Compared]:

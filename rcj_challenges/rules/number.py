@@ -7,17 +7,19 @@ of an empty group. Calculating with none gives none, unless ``otherwise`` stands
 from collections.abc import Callable
 from math import ceil, floor
 from operator import add, mul, sub
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self, TypeVar, cast
 
-from pydantic import Field
+from pydantic import Field, create_model
 
 from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
 from rcj_challenges.rules.base import Binder, Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, ValueWord
-from rcj_challenges.rules.fields import Name, Names, Point, described
-from rcj_challenges.rules.phrasing import Clause, number, whole_seconds
+from rcj_challenges.rules.fields import Name, Names, Point, Strict, described
+from rcj_challenges.rules.phrasing import Clause, number
 
 if TYPE_CHECKING:
     from rcj_challenges.rules.comparison import Compared
+
+_V = TypeVar("_V", bound="Valued")
 
 NUMBERS = KeyedVocabulary({"number": int | float}, lambda _value: "number")
 Amount = Annotated[int | float | ValueWord, NUMBERS]
@@ -118,8 +120,7 @@ class NumberValue(ValueWord):
 
     def names(self, _to: Scope) -> Names:
         """Return the names that stand where ``highest``, ``lowest`` and ``sum`` put each member."""
-        names: Names = getattr(self, self.OVER)
-        return names
+        return self.named()
 
     def members(self, to: Scope, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         """Return all members that the names may stand for, and a function that finds those for which they do now."""
@@ -191,7 +192,7 @@ class NumberValue(ValueWord):
         """Return a value that is no plain sum in words, with all that stands beside it."""
         words = self.describe_number(phrases)
         if self.round_ == "down" and " in s" in words and self == self.model_copy(update=_ALONE | {"round_": "down"}):
-            return whole_seconds(words)
+            return words.replace(" in s", " in full seconds", 1)
         if self.otherwise is not None:
             words += f" ({amount_words(phrases, self.otherwise)} if there is none)"
         if isinstance(self.times, ValueWord):
@@ -202,6 +203,44 @@ class NumberValue(ValueWord):
         words += "" if self.minus is None else f", minus {as_one_number(phrases, self.minus)}"
         rounded = {"down": ", rounded down", "up": ", rounded up", "nearest": ", rounded", None: ""}
         return words + rounded[self.round_]
+
+
+# --- what is said of them in their own mapping: how they compare, or that they rank -----------------------------------
+
+
+class Valued(Strict):
+    """A mapping with the keys of a value that is a number, and with others.
+
+    Attributes:
+        VALUE: the value.
+        DEFINED_AS: where the schema defines all its other fields.
+    """
+
+    VALUE: ClassVar[type[NumberValue]]
+    DEFINED_AS: ClassVar[type[NumberValue]]
+
+    @property
+    def value(self) -> NumberValue:
+        """The value without the other keys."""
+        return self.VALUE.model_construct(**by_key(self, self.VALUE))
+
+
+def by_key(model: Strict, like: type[Strict]) -> dict[str, Any]:
+    """Return the values of a model's fields, of those that another one has too, by the keys that the file uses."""
+    return {info.alias or name: getattr(model, name) for name, info in like.model_fields.items()}
+
+
+def with_keys_of(value: type[NumberValue], says: type[_V], suffix: str) -> type[_V]:
+    """Return the model with the keys of a value and of what is said of it."""
+    name, bases = f"{value.__name__.removesuffix('Value')}{suffix}", cast("Any", (says, value))
+    doc = f"The value `{value.KEY}`."
+    model = cast("Any", create_model(name, __base__=bases, __module__=__name__, __doc__=doc))
+    model.VALUE = model.DEFINED_AS = value
+    model.EXAMPLE = ""
+    return cast("type[_V]", model)
+
+
+# --- parts of sums ----------------------------------------------------------------------------------------------------
 
 
 def as_number(value: object) -> Number | None:

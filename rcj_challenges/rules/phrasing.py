@@ -111,11 +111,6 @@ def seconds(value: float) -> str:
     return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
 
 
-def whole_seconds(time: str) -> str:
-    """Return a time in words of which full seconds count."""
-    return time.replace(" in s", " in full seconds", 1)
-
-
 def metres(value: float) -> str:
     """Return a length in m, or in cm below 10 cm."""
     return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"

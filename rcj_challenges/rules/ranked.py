@@ -7,8 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.rules.base import KeyedVocabulary, KeyedWord, Number, Reader, Scope
 from rcj_challenges.rules.fields import described
-from rcj_challenges.rules.number import Amount, NumberValue
-from rcj_challenges.rules.valued import Valued, by_key, with_keys_of
+from rcj_challenges.rules.number import Amount, NumberValue, Valued, by_key, with_keys_of
 from rcj_challenges.rules.values import NUMBERS, compile_amount
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.draw import DrawValue

@@ -21,10 +21,9 @@ from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.facts import Facts
-from rcj_challenges.rules.number import NumberValue
+from rcj_challenges.rules.number import NumberValue, Valued
 from rcj_challenges.rules.phrasing import degrees, number, seconds
 from rcj_challenges.rules.ranked import Ranked
-from rcj_challenges.rules.valued import Valued
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
 from rcj_challenges.scenario.models import scenario as models

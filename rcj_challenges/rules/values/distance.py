@@ -79,9 +79,6 @@ expect:
 
         return read
 
-    def names(self, _to: Scope) -> Names:
-        return self.named()
-
     def named(self) -> Names:
         """Return its first end, of which it is measured."""
         here = self.distance[0]
