@@ -15,7 +15,7 @@ from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.scenario.draw_order import Series, drawable
 from rcj_challenges.scenario.halves import by_seat, by_team, half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import Draw, Phase
+from rcj_challenges.scenario.models.state import Draw
 from rcj_challenges.scenario.roster import ENTRANTS, Roster, as_tuple
 from rcj_challenges.tracking.bound_rules import RuleHistory
 from rcj_challenges.tracking.state import Clock, RefereeState
@@ -79,7 +79,7 @@ class State(RefereeState):
     def history(self, keep: str, rule: str, each: str | None) -> RuleHistory:
         """Return the history of a rule, whose firings are counted for so long."""
         past = RuleHistory()
-        self.anew_in(keep, past.forget_executions)
+        self.anew_in(keep, partial(setattr, past, "executions", 0))
         if keep == "match":
             kept = self.half.kept.get("executions", {}).get(rule)
             group = self.scenario.rules[rule].for_each
@@ -223,7 +223,3 @@ class State(RefereeState):
 
     def _clock_kept(self, clock: Clock) -> dict[str, object]:
         return asdict(clock) | {"elapsed": clock.ticks(self.tick), "since": None if clock.since is None else 0}
-
-    def phase_model(self, name: str) -> Phase:
-        """Return a phase of the scenario; ``play`` need not be written."""
-        return self.scenario.phases.get(name) or Phase()

@@ -58,13 +58,9 @@ class Facts(Strict):
         if self.held is not None:
             said.append("held")
         if self.looks is not None:
-            said.append(f"looking {direction_words(phrases, self.looks)} (to within {degrees(self.within_rad)})")
+            at = heading(self.looks) if isinstance(self.looks, int | float) else f"towards {phrases.point(self.looks)}"
+            said.append(f"looking {at} (to within {degrees(self.within_rad)})")
         return listed(said, "and")
-
-
-def direction_words(phrases: Phrases, looks: Name | Point | float) -> str:
-    """Return at what something looks, or in which direction: ``towards the ball``."""
-    return heading(looks) if isinstance(looks, int | float) else f"towards {phrases.point(looks)}"
 
 
 def _in_zone(to: Scope, zones: Names) -> Fact:

@@ -27,10 +27,6 @@ class RuleHistory:
     rests_until: int = 0
     executions: int = 0
 
-    def forget_executions(self) -> None:
-        """Count its firings from 0."""
-        self.executions = 0
-
 
 @dataclass(eq=False)
 class BoundRule:

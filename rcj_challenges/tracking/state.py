@@ -124,10 +124,6 @@ class RefereeState:
             self._streams[use] = found
         return found
 
-    def follow_way(self, entity: int) -> None:
-        """Add up the way of an entity from now on."""
-        self.ways.setdefault(entity, 0.0)
-
     def add_ways(self) -> None:
         """Add the ways of the last tick; where something was put, its way begins."""
         for entity in self.ways:
