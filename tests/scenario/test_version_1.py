@@ -214,6 +214,13 @@ def test_ranking_of_a_record_is_converted_and_that_of_a_file_is_an_error_with_th
         assert load_text(rewritten(HEAD % version + RANK % first)).scenario.result.rank == ranked
 
 
+@pytest.mark.parametrize("plus", ["{}", "{weight: 5}", "{counter: [n], weight: 5}", "n", "5"])
+def test_what_was_never_a_ranking_has_no_new_text(plus):
+    with pytest.raises(ScenarioError) as caught:
+        load_text(HEAD % 2 + RANK % f"{{time: ascending, plus: [{plus}]}}")
+    assert "old-language" not in {one.code for one in caught.value.diagnostics}
+
+
 def test_time_of_a_record_went_on_while_the_clock_stood_still():
     scenario = recorded([{"time": "ascending"}], PHASE + "timers: {played: {lasts_s: 5}}\n")
     assert scenario.result.rank[0].timer == "played_s"

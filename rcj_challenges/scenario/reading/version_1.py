@@ -92,15 +92,13 @@ def _ranked(one: Entries, tree: Entries, bases: Sequence[Entries]) -> Entries | 
     mark, trees = one.mark, (tree, *bases)
     key = next((key for key in ("score", "time", "counter") if key in one.entries), "")
     order = _text(one, "order" if key == "counter" else key) or "descending" * (key == "counter")
-    better = {"descending": "more", "ascending": "less"}.get(order)
-    if better is None:
+    better, parts = {"descending": "more", "ascending": "less"}.get(order), items_of(one.entries.get("plus"))
+    if better is None or not all(_text(part, "counter") for part in parts):
         return None
     if key == "score":
         return _mapping(mark, score=Leaf("each", mark), better=Leaf(better, mark))
-    parts = [part for part in items_of(one.entries.get("plus")) if isinstance(part, Entries)]
     terms: list[Node] = [
-        _mapping(part.mark, **_counter(part, trees), times=part.entries.get("weight") or Leaf(1, mark))
-        for part in parts
+        _mapping(part.mark, **_counter(part, trees), times=child(part, "weight") or Leaf(1, mark)) for part in parts
     ]
     plus = {"plus": terms[0] if len(terms) == 1 else _mapping(mark, sum=Items(terms, mark))} if terms else {}
     value = _counter(one, trees) if key == "counter" else _time(tree, trees, mark) | plus
