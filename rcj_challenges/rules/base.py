@@ -371,10 +371,6 @@ class ValueWord(KeyedWord):
         """Return the value in words: ``whether the flag “out” is set``."""
         raise NotImplementedError
 
-    def describe_all(self, phrases: Phrases) -> str:
-        """Return the value in words with what stands beside it."""
-        return self.describe(phrases)
-
     def exactly(self, _phrases: Phrases) -> str | Sequence[Scalar]:
         """Return for programs that receive the value its form, or all that it may be; empty: the words suffice."""
         return ""

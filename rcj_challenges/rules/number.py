@@ -175,10 +175,6 @@ class NumberValue(ValueWord):
         words = self.describe_number(phrases)
         return words if factor == 1 else f"{number(factor)} times {words}"
 
-    def describe_all(self, phrases: Phrases) -> str:
-        """Return the value in words with what stands beside it."""
-        return amount_words(phrases, self) if self.is_computed() else self.describe(phrases)
-
     def terms(self) -> tuple["Term", ...]:
         """Return what is added up to it."""
         if self.round_ is not None or self.otherwise is not None or isinstance(self.times, ValueWord):

@@ -11,7 +11,7 @@ from pydantic import Field
 
 from rcj_challenges.rules.base import Binder, Firing, KeyedVocabulary, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, NotNegative, Positive, Scalar
-from rcj_challenges.rules.number import NUMBERS, Amount, amount_words, compile_amount
+from rcj_challenges.rules.number import NUMBERS, Amount, NumberValue, amount_words, compile_amount
 from rcj_challenges.rules.phrasing import seconds, spelled
 from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
@@ -123,8 +123,10 @@ def compile_limit(
 
 def value_words(phrases: Phrases, value: Value) -> str:
     """Return a value of the scenario in words."""
+    if isinstance(value, NumberValue) and value.is_computed():
+        return amount_words(phrases, value)
     if isinstance(value, ValueWord):
-        return value.describe_all(phrases)
+        return value.describe(phrases)
     return spelled(value)
 
 

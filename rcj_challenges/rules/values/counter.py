@@ -17,7 +17,6 @@ class CounterValue(KeptValue):
     counter: Annotated[Name, COUNTER] = described(..., "a counter")
 
     KEY = "counter"
-    IN = "counters"
     EXAMPLE = """
 counters: {goals: {}}
 rules:

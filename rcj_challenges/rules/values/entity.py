@@ -22,7 +22,6 @@ class FactValue(Facts, NumberValue):
     KEY = "entity"
     OWNER = "entity"
     OVER = "entity"
-    REQUIRES = Facts.REQUIRES
     IS_FACT = True
     EXAMPLE = """
 rules:

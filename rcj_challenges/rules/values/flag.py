@@ -16,7 +16,6 @@ class FlagValue(KeptValue):
     flag: Annotated[Name, FLAG] = described(..., "a flag")
 
     KEY = "flag"
-    IN = "flags"
     EXAMPLE = """
 flags: {bonus: {initial: true}}
 rules:

@@ -1,7 +1,7 @@
 """What the values of counters, flags and timers share: each of them may be kept per entity."""
 
 from collections.abc import Callable
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any
 
 from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.comparison import Compared
@@ -13,13 +13,8 @@ from rcj_challenges.rules.refs import WHOSE
 
 
 class KeptValue(NumberValue):
-    """A value of something that rules remember, once or for each of several.
+    """A value of something that rules remember, once or for each of several."""
 
-    Attributes:
-        IN: the attribute of the state where it is kept.
-    """
-
-    IN: ClassVar = ""
     OVER = "entity"
 
     entity: Annotated[Names | None, WHOSE] = described(
@@ -36,14 +31,14 @@ class KeptValue(NumberValue):
 
     def whose(self, to: Scope) -> str | None:
         """Return whose it is; None: of all of them, or of none."""
-        owners = to.owners(self.IN, self.kept, self.entity)
+        owners = to.owners(f"{self.KEY}s", self.kept, self.entity)
         return None if owners is None else owners[0]
 
     def members(self, to: Scope, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
-        return to.group_of_owners(self.IN, self.kept, names)
+        return to.group_of_owners(f"{self.KEY}s", self.kept, names)
 
     def names(self, to: Scope) -> Names:
-        kept: Any = getattr(to.state, self.IN).get(self.kept)
+        kept: Any = getattr(to.state, f"{self.KEY}s").get(self.kept)
         return self.entity or (tuple(kept) if isinstance(kept, dict) else ())
 
     def named(self) -> Names:

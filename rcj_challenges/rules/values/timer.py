@@ -18,7 +18,6 @@ class TimerValue(KeptValue):
     timer: Annotated[Name, TIMER] = described(..., "a timer")
 
     KEY = "timer"
-    IN = "timers"
     UNIT = "s"
     EXAMPLE = """
 timers: {attempt: {lasts_s: 20, starts: true}}
