@@ -10,7 +10,7 @@ from rcj_challenges.referee.bodies import PlacementBoard
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.scope import NameScope
-from rcj_challenges.rules.base import Act, Trigger, ValueWord
+from rcj_challenges.rules.base import Act, Condition, Trigger, ValueWord
 from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Names, Point, Scalar
 from rcj_challenges.rules.placement import Mirror
@@ -51,6 +51,10 @@ class RuleBinder(NameScope):
             self._holders = tuple(zip(named, holders, strict=True))
             one.bind(self)
         self._holders = ()
+
+    def watched(self, condition: Condition) -> tuple[int, ...]:
+        words = self.for_holders(condition, roles_in(condition, self.roles))
+        return tuple(dict.fromkeys(entity for _, one in words for entity in one.watched(self)))
 
     def binding(self, about: int | str | None = None) -> TriggerBinding:
         """Return the rule's binding to the trigger that is compiled.

@@ -30,12 +30,17 @@ class CompileContext:
     """What the compilers of all words share.
 
     Attributes:
-        emit: writes an event; set by the engine.
-        enter_phase: enters a phase; set by the engine.
+        emit: writes an event.
+        enter_phase: enters a phase.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
     """
 
-    def __init__(self, state: State) -> None:
+    def __init__(
+        self,
+        state: State,
+        emit: Callable[[str, dict[str, object], tuple[str, ...]], None],
+        enter_phase: Callable[[str], None],
+    ) -> None:
         self.state = state
         self.scenario = state.scenario
         self.roster = state.roster
@@ -43,8 +48,7 @@ class CompileContext:
         self.clock_events = ClockEvents()
         self.bodies = Bodies(state.scenario, state.roster)
         self.queue = PlacementQueue()
-        self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
-        self.enter_phase: Callable[[str], None] = lambda _phase: None
+        self.emit, self.enter_phase = emit, enter_phase
         self._by_draw: dict[str, dict[Tracker, None]] = {}
         self._sequences: dict[str, dict[str | None, SequenceTracker]] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}

@@ -69,10 +69,8 @@ class Referee:
         self.scores, self.counters, self.flags = self._state.scores, self._state.counters, self._state.flags
         self.draws, self.spots = self._state.draws, self._state.spots
         self.undecided, self.undecided_spots = self._state.undecided, self._state.undecided_spots
-        self._context = CompileContext(self._state)
-        self._context.emit = self._emit
         self.rounds = Rounds(self._state, self._enter_phase)
-        self._context.enter_phase = self.rounds.set_phase
+        self._context = CompileContext(self._state, self._emit, self.rounds.set_phase)
         assemble(self._context)
         self._state.decide_draws(draws or {})
         self._state.decide_spots(spots or {})

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import product
 from math import sqrt
 from random import Random
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import distance_to_segment_m
@@ -25,10 +25,6 @@ from rcj_challenges.tracking.places import Anchor, Poses, Target, point_of
 _T = TypeVar("_T")
 _W = TypeVar("_W")
 _F = TypeVar("_F", bound=Callable[..., Any])
-
-if TYPE_CHECKING:
-    from rcj_challenges.rules.base import Condition
-    from rcj_challenges.rules.binder import Binder
 
 
 class NameScope:
@@ -65,10 +61,6 @@ class NameScope:
             return otherwise if chosen is None else chosen(*args)
 
         return cast("_F", choose)
-
-    def watched(self, condition: Condition) -> tuple[int, ...]:
-        words = self.for_holders(condition, roles_in(condition, self.roles))
-        return tuple(dict.fromkeys(entity for _, one in words for entity in one.watched(cast("Binder", self))))
 
     def for_holders(self, word: _W, roles: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], _W]]:
         """Yield a word once for all that may have the roles that it names: these, and the word with their names."""

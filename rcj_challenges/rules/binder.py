@@ -40,9 +40,6 @@ class Scope(Protocol):
         While one of these roles stands for nothing, the result of what is returned is `otherwise`.
         """
 
-    def watched(self, condition: Any) -> tuple[int, ...]:
-        """Return the entities whose placement changes a condition, whoever has the roles that it names."""
-
     def members(self, names: Names) -> tuple[str, ...]:
         """Return the members that names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
 
@@ -108,6 +105,9 @@ class Binder(Scope, Protocol):
 
     drawn: Mapping[str, tuple[str, ...]]
     """For each draw that decides on a place: the places."""
+
+    def watched(self, condition: Any) -> tuple[int, ...]:
+        """Return the entities whose placement changes a condition, whoever has the roles that it names."""
 
     def gate(self, name: str) -> GateLine:
         """Return a gate."""
