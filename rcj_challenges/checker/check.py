@@ -15,7 +15,7 @@ from rcj_challenges.checker.designs import check_designs
 from rcj_challenges.checker.discovery import SubmissionName, name_submissions
 from rcj_challenges.checker.findings import STAGES, Stage, StageName, most_serious
 from rcj_challenges.checker.report import FileReport, MatchReport, first_cause, match_report, stage_report
-from rcj_challenges.checker.report_files import copy_page
+from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.core.code import Level
 from rcj_challenges.core.codes import NO_MEMORY, NO_PHYSICS
@@ -296,7 +296,7 @@ class _Check:
             try:
                 folder.mkdir(parents=True, exist_ok=True)
                 target = folder / f"{self._named.slug}-{'-'.join(match.seats)}.html"
-                copy_page(write_replay(match.folder), target)
+                write_page(target, write_replay(match.folder).read_text(encoding="utf-8"))
                 replay = str(target)
             except OSError as error:
                 no_replay = sanitize(f"{error.filename or folder}: {error_hint(error)}", 400)

@@ -22,7 +22,6 @@ from rcj_challenges.core.diagnostics import one_line
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 from rcj_challenges.scenario.load import Loaded, load_resolved
-from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.submissions.team import TeamError
 
 _SLACK_S = 120.0
@@ -91,7 +90,9 @@ def check_many(
     """
     fields = asdict(options) | {"replays": None if options.replays is None else str(options.replays.resolve())}
     message = {"scenario": loaded.resolved, "options": fields}
-    max_s = _patience_s(loaded.scenario.limits, len(loaded.scenario.robots))
+    limits = loaded.scenario.limits
+    # Far above what the limits of all programs in all short matches together allow.
+    max_s = _SLACK_S + _MAX_SHORT_MATCHES * (limits.start_s + len(loaded.scenario.robots) * limits.half_s)
     named = zip(paths, name_submissions(paths), strict=True)
     return run_all([_Job(path, name, message, max_s) for path, name in named], jobs, on_done)
 
@@ -138,8 +139,3 @@ def _report(out: bytes) -> FileReport | None:
         return FileReport.model_validate({**answer["report"], "logo": logo})
     except (ValueError, ValidationError, KeyError, TypeError):
         return None
-
-
-def _patience_s(limits: Limits, robots: int) -> float:
-    """Return a time far above what the limits of all programs in all short matches together allow."""
-    return _SLACK_S + _MAX_SHORT_MATCHES * (limits.start_s + robots * limits.half_s)

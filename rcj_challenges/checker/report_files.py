@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import os
-import shutil
 from pathlib import Path
 
 from rcj_challenges.programs.scratch import ensure_room
@@ -48,16 +47,6 @@ def write_page(path: Path, text: str) -> None:
         return
     with replaced(target) as file:
         file.write(text.encode("utf-8"))
-
-
-def copy_page(page: Path, target: Path) -> None:
-    """Copy a page, perhaps to another disk; the one that was there stays until the new one is whole.
-
-    Raises:
-        OSError: it cannot be written.
-    """
-    with page.open("rb") as source, replaced(target) as file:
-        shutil.copyfileobj(source, file)
 
 
 def _target(path: Path) -> Path:

@@ -58,7 +58,8 @@ def test_a_submission_that_is_gone_when_its_turn_comes_is_no_fault_of_its_team(t
 
 def test_a_check_that_does_not_end_is_ended(pack, monkeypatch):
     monkeypatch.setattr(many, "_START", SLEEPS)
-    monkeypatch.setattr(many, "_patience_s", lambda *_: 0.3)
+    monkeypatch.setattr(many, "_SLACK_S", 0.3)
+    monkeypatch.setattr(many, "_MAX_SHORT_MATCHES", 0)
     (report,) = check_many([pack("a.zip")], MATCH, UNPLAYED, 1, lambda _: None)
     assert "did not end" in report.stages[0].findings[0].message
 
