@@ -279,9 +279,8 @@ def without_top_folders(files: Files) -> list[Layout]:
             break
         folder = folders.pop()
         below = {path.relative_to(folder): data for path, data in last.below.items() if len(path.parts) > 1}
-        beside = {path: data for path, data in last.below.items() if len(path.parts) == 1} | last.beside
-        if not below.keys().isdisjoint(beside):
-            beside = {path: data for path, data in beside.items() if path not in below}
+        here = {path: data for path, data in last.below.items() if len(path.parts) == 1}
+        beside = {path: data for path, data in (here | last.beside).items() if path not in below}
         if any(path.parts[0] in {str(other) for other in beside} for path in below):
             break  # a file and a folder of one name
         found.append(Layout(last.top / folder, None, below, beside))
