@@ -11,7 +11,6 @@ import functools
 import os
 import sys
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 
 from rcj_challenges.programs.processes import PROGRAM_SIDE, site_folders
@@ -55,13 +54,9 @@ def is_too_wide(path: str, protected: tuple[str, ...]) -> bool:
 
 
 def _protected() -> tuple[str, ...]:
-    """Return the folders in which people and this match have their things."""
-    places = ("/", "/home", "/root", "/etc", "/var", "/run", "/proc", *_own_places())
-    return tuple(os.path.realpath(place) for place in places)
-
-
-def _own_places() -> Iterator[str]:
-    """Yield this user's home, the temporary folder and the current one, as far as they exist."""
+    """Return the folders in which people and this match have their things, as far as they exist."""
+    places = ["/", "/home", "/root", "/etc", "/var", "/run", "/proc"]
     for find in (Path.home, tempfile.gettempdir, Path.cwd):
         with contextlib.suppress(OSError, RuntimeError):
-            yield str(find())
+            places.append(str(find()))
+    return tuple(map(os.path.realpath, places))

@@ -38,7 +38,7 @@ class Boot:
         self._library = sys.path[:]
         self._clock = _clock.Clock(hello["tick_ms"] * 1_000_000)
         self._names = _traceback.short_names(self._root, hello["program"]["site"])
-        self._output: Any = _Uncounted()
+        self._output: Any = types.SimpleNamespace(printed_bytes=0)  # nothing is counted
         if not hello["debug"]:
             _debugger.ignore_breakpoints(hello["robot"]["name"])
             self._output = Output(self._limits["output_bytes"], self._flooded, self._names)
@@ -192,10 +192,6 @@ def _wait_for_threads() -> None:
         for thread in threading.enumerate():
             if thread is not threading.current_thread() and not thread.daemon:
                 thread.join()
-
-
-class _Uncounted:
-    printed_bytes = 0
 
 
 def _print_quietly(text: str) -> None:

@@ -37,8 +37,8 @@ class Robot:
     _rcj_connection: Connection
     _rcj_warned_about: set[str]
     _rcj_inputs: dict[str, Any]
-    _rcj_custom_data: str
-    _rcj_battery_period_ms: int
+    _rcj_custom_data = ""
+    _rcj_battery_period_ms = 0
 
     def __new__(cls, *_: object, **__: object) -> Self:
         """Make a robot that complains until ``__init__``, which a class of a team's own may forget, has run."""
@@ -46,8 +46,6 @@ class Robot:
         robot._rcj_connection = _NotBegun(cls.__name__)  # type: ignore[assignment] # until it is begun
         robot._rcj_warned_about = set()
         robot._rcj_inputs = {}
-        robot._rcj_custom_data = ""
-        robot._rcj_battery_period_ms = 0
         return robot
 
     def __init__(self) -> None:
