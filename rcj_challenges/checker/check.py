@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -38,8 +38,6 @@ from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.submissions.team import Team, TeamError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from rcj_challenges.checker.rehearsal import Rehearsed
 
 _NEEDS: dict[StageName, tuple[StageName, ...]] = {

@@ -34,8 +34,7 @@ def check_designs(team: Team, loaded: Loaded) -> Stage:
     for seat, guideline in guided.items():
         brought = brought_by(team, seat, scenario)
         for verdict in brought.verdicts if brought is not None else ():
-            found |= dict.fromkeys(_finding(one) for one in verdict.problems)
-            found |= dict.fromkeys(_finding(one) for one in verdict.warnings)
+            found |= dict.fromkeys(map(_finding, [*verdict.problems, *verdict.warnings]))
             found |= dict.fromkeys(_unused(team, verdict))
             for design, prices in verdict.prices.items():
                 cost = sum(one.points for one in prices)  # integers
