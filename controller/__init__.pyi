@@ -499,8 +499,7 @@ class Motor(Device):
         """Return the angle that is set, in rad."""
     def getMinPosition(self) -> float:
         """Return 0: no limit."""
-    def getMaxPosition(self) -> float:
-        """Return 0: no limit."""
+    getMaxPosition = getMinPosition
     def setAcceleration(self, acceleration: float) -> None:
         """Limit the change of the velocity to so many rad/s²; -1: no limit. It does not apply to ``setPosition``.
 

@@ -63,15 +63,11 @@ class Channel(Protocol):
 
 
 class FrameBuffer:
-    """Puts frames together from the pieces in which they arrive. `held` has arrived and was not given out."""
+    """Puts frames together from the pieces in which they arrive and are added to `held`, until they are given out."""
 
     def __init__(self, limit_bytes: int) -> None:
         self._limit_bytes = limit_bytes
         self.held = bytearray()
-
-    def add(self, chunk: bytes) -> None:
-        """Take in what arrived."""
-        self.held += chunk
 
     def next(self) -> bytes | None:
         """Return the next whole frame without its length, or None.
@@ -145,7 +141,7 @@ class PolledPipes:
             raise ChannelClosedError
         if not buffer.held and len(chunk) >= 4 and LENGTH.unpack_from(chunk)[0] == len(chunk) - 4:
             return chunk[4:]
-        buffer.add(chunk)
+        buffer.held += chunk
         return buffer.next()
 
     def receive_soon(self) -> bytes | None:
@@ -284,7 +280,7 @@ class ThreadedPipes:
             if not chunk or self._closing:
                 self._put(ChannelClosedError())
                 return
-            self._buffer.add(chunk)
+            self._buffer.held += chunk
             try:
                 while (body := self._buffer.next()) is not None:
                     self._put(body)

@@ -50,11 +50,6 @@ class Process:
         self._sandbox_fd = sandbox_fd  # read end of a pipe that ends with the last process of bubblewrap's
         self._looked_at_pid: int | None = None
 
-    @property
-    def pid(self) -> int:
-        """Its process id."""
-        return self._popen.pid
-
     def exit_status(self, timeout_s: float) -> int | None:
         """Wait for its end up to ``timeout_s``; return its exit status (negative: minus a signal), None if it runs.
 

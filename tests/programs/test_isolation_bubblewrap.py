@@ -125,7 +125,7 @@ def test_nothing_of_it_is_left_when_the_match_has_ended_the_program(tmp_path: Pa
         pool.launch()
         play_on(program, Played(), 1)
         assert program._process is not None
-        outer = program._process.pid
+        outer = program._process._popen.pid
         inner = bubblewrap.innermost(outer)
         assert inner != outer
         assert exists(inner)
@@ -143,7 +143,7 @@ def test_bubblewraps_own_processes_end_with_the_program(tmp_path: Path, by_itsel
         pool.launch()
         play_on(program, Played(), 0)
         assert program._process is not None
-        outer = program._process.pid
+        outer = program._process._popen.pid
         inside = int(Path(f"/proc/{outer}/task/{outer}/children").read_text(encoding="ascii"))
         assert b"HOME=" in environment_of(inside)
         if by_itself:

@@ -55,7 +55,7 @@ try:
         programs = [pool.add(robot_spec(name), team, team.single) for name in ("Y1", "Y2")]
         pool.launch()
         programs[0].collect()
-        print(*(program._process.pid for program in programs), flush=True)
+        print(*(program._process._popen.pid for program in programs), flush=True)
         if {hangs!r}:
             programs[0].release({observation})
             programs[0].collect()

@@ -135,9 +135,7 @@ class Motor(Device):
         """Return 0: no limit."""
         return 0.0
 
-    def getMaxPosition(self) -> float:
-        """Return 0: no limit."""
-        return 0.0
+    getMaxPosition = getMinPosition  # noqa: N815 - its name in Webots
 
     def setAcceleration(self, acceleration: float) -> None:
         """Limit the change of the velocity to so many rad/s²; -1: no limit. It does not apply to ``setPosition``.
