@@ -271,8 +271,7 @@ def _happened(match: ScriptedMatch, scenario: Scenario, wanted: Container[str]) 
 
 
 def _counter_differences(referee: Referee, expected: Expectation | MatchExpectation) -> Iterable[Difference]:
-    found = referee.scores | referee.counters
-    yield from _kept_differences("counter", expected.counters, found, expected.tolerance_counters)
+    yield from _kept_differences("counter", expected.counters, referee.counters, expected.tolerance_counters)
 
 
 def _kept_differences(

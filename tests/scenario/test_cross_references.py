@@ -328,7 +328,6 @@ def test_names_in_a_section_that_is_malformed_are_not_called_unknown():
         ("zones: {each: {shape: rect, x_min_m: 0}}\n", ["zones.each"]),
         ("gates: {B1: {from_m: [0, 0], to_m: [0, 1]}}\n", ["gates.B1"]),
         ("spots: {b1: {x_m: 0, y_m: 0}}\n", ["spots.b1"]),
-        ("counters: {blue: {}}\n", ["counters.blue"]),
         ("phases: {any: {}}\n", ["phases.any"]),
         ("flags: {B1: {}, pitch: {}, goals: {}}\ncounters: {B1: {}, goals: {}}\ntimers: {goals: {lasts_s: 1}}\n", []),
     ],

@@ -24,10 +24,6 @@ def check_naming(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) ->
     """Yield what is wrong with the names that a scenario defines."""
     yield from _namespace(root, roster)
     yield from _colours(roster, root)
-    for name in roster.names("counters"):
-        if name in roster.names("entrants"):
-            message = f"'{name}' is an entrant, and its score is read under this name"
-            yield issue(NAME_TAKEN, ("counters", name), message, "choose another name", at_key=True)
     for name in set(roster.names("roles")) & set(roster.names("draws")):
         yield issue(NAME_TAKEN, ("roles", name), f"'{name}' is a draw already", "choose another name", at_key=True)
     if "any" in roster.names("phases"):

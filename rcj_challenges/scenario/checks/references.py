@@ -384,7 +384,7 @@ class _Walker:
         whose = node.entries.get(owner)
         entry = node_at(self.root, (_KEPT[key], name))
         group = next(iter(texts(child(entry, "per"))), "")
-        if group not in {"", *roster.groups, *kinds} or (entry is None and name not in roster.names("entrants")):
+        if entry is None or group not in {"", *roster.groups, *kinds}:
             return  # an unknown name is reported where it is written
         if not group:
             surplus = next((one for one in ("entity", "of") if one in node.entries), None)

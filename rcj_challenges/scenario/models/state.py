@@ -63,10 +63,10 @@ class Role(Strict):
 
 
 class Counter(Strict):
-    """A number that rules change. Scores can be read like counters, by the entrant's name.
+    """A number that rules change.
 
-    Both are exact to 9 decimals, as on paper: three times 0.1 is 0.3. Neither grows beyond 1 000 000 000 000 000, nor
-    falls under its negative: it stays there.
+    Counters and scores are exact to 9 decimals, as on paper: three times 0.1 is 0.3. None grows beyond
+    1 000 000 000 000 000, nor falls under its negative: it stays there.
     """
 
     initial: Literal["none"] | float | None = described(
