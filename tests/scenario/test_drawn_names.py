@@ -31,6 +31,7 @@ GOOD = [
     (asked, "draw: catcher, equals: each, negate: true", "yellow"),
     (asked, "draw: poisoned, equals: other", "", TOUCH),
     (asked, "any_of: [{draw: catcher, equals: each}]", "blue"),
+    (asked, "draw: catcher, equals: each", "obstacles"),  # of which there are none
     (done, "draw, draw: poisoned, as: other", "", TOUCH),
     (done, "draw, draw: poisoned, as: each", "balls"),
     # Where the rule has no such name, a value may be called so, as before there were names.

@@ -301,7 +301,7 @@ class _Walker:
         elif members is None:
             self.add(codes.UNBOUND_NAME, at, _unknown_bound(name))
         # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
-        elif known and not (all if is_set else any)(one in known for one in members):
+        elif known and members and not (all if is_set else any)(one in known for one in members):
             stranger = next(one for one in members if one not in known)
             message = f"'{name}' stands for '{stranger}', which {what}"
             self.add(codes.NEVER_DRAWN, at, message, choice_of("", (cut(spelled(one)) for one in known)))
