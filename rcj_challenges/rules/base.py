@@ -302,7 +302,7 @@ class Action(Word):
             return (declared(self.EFFECT, self),)
         return tuple(
             Writes(one.sections[0], getattr(self, name))
-            for name, _, one, _ in refs_of(type(self))
+            for name, _, one in refs_of(type(self))
             if isinstance(one, SectionRef) and one.is_written
         )
 

@@ -6,7 +6,6 @@ A field says so in its annotation, ``entity: Annotated[Names, ENTITIES]``. The c
 
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any
 
 from pydantic import BaseModel
 
@@ -86,10 +85,10 @@ def drawn_value(model: type[BaseModel], field: str) -> DrawnValue | None:
 
 
 @cache
-def refs_of(model: type[BaseModel]) -> list[tuple[str, str, Reference, Any]]:
-    """Return the fields of a model that name something: name, key in the file, what it may name, and the default."""
-    fields = ((name, ref_of(model, name), info) for name, info in model.model_fields.items())
-    return [(name, info.alias or name, one, info.default) for name, one, info in fields if one is not None]
+def refs_of(model: type[BaseModel]) -> list[tuple[str, str, Reference]]:
+    """Return the fields of a model that name something: name, key in the file, and what it may name."""
+    fields = ((name, info.alias or name, ref_of(model, name)) for name, info in model.model_fields.items())
+    return [(name, key, reference) for name, key, reference in fields if reference is not None]
 
 
 # --- what words name --------------------------------------------------------------------------------------------------

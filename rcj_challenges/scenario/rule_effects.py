@@ -84,7 +84,7 @@ def names_other(rule: Rule, scenario: Scenario) -> bool:
     if not has_other(rule):
         return False
     models = [one for one, _ in walk((rule.conditions, rule.actions))]
-    scored = (getattr(one, name) for one in models for name, _, ref, _ in refs_of(type(one)) if ref == SCORED)
+    scored = (getattr(one, name) for one in models for name, _, ref in refs_of(type(one)) if ref == SCORED)
     return (
         (OTHER not in scenario.entrants and OTHER in scored)
         or OTHER in placeholders_in(rule.says)

@@ -104,7 +104,7 @@ def test_an_entrant_may_be_called_other():
 
 
 EACH_FIELDS = [
-    (model, key) for model in all_models() for _, key, ref, _ in refs_of(model) if isinstance(ref, Ref) and ref.each
+    (model, key) for model in all_models() for _, key, ref in refs_of(model) if isinstance(ref, Ref) and ref.each
 ]
 
 

@@ -108,18 +108,14 @@ class _Walker:
         group = node.entries.get("per") if model is Timer else Leaf(ENTRANTS, node.mark) if model is Result else None
         if texts(group):
             scope = self._scope_of_group(group)
-        for key, reference, default in self._refs_of(model, node, path):
-            if (named := node.entries.get(key)) is not None:
-                if isinstance(named, Items) and step_into(fields(model)[key], named, 0) is None:
-                    continue  # a list where one name is expected, which is reported as such
-                self._values(reference, named, (*path, key), path)
-                for name, at in _names_in(named, (*path, key), reference):
-                    if wrong := self._wrong(reference, name, at, scope):
-                        self.add(wrong[0], at, wrong[1], wrong[2], at_key=reference.keys)
-            elif isinstance(default, str) and self._wrong(reference, default, path, scope) is not None:
-                message = f"'{key}' defaults to '{default}', which this scenario does not have"
-                known = choice_of("", self._known(reference), reference.noun)
-                self.add(codes.UNKNOWN_NAME, path, message, f"set '{key}'; {known}")
+        for key, reference in self._refs_of(model, node, path):
+            named = node.entries[key]
+            if isinstance(named, Items) and step_into(fields(model)[key], named, 0) is None:
+                continue  # a list where one name is expected, which is reported as such
+            self._values(reference, named, (*path, key), path)
+            for name, at in _names_in(named, (*path, key), reference):
+                if wrong := self._wrong(reference, name, at, scope):
+                    self.add(wrong[0], at, wrong[1], wrong[2], at_key=reference.keys)
         self._relations(model, node, path, scope)
         return scope
 
@@ -326,21 +322,19 @@ class _Walker:
             help_ = choice_of(spelled(value.value), (cut(spelled(one)) for one in known))
             self.add(codes.NEVER_DRAWN, path, f"{format_node(value)} {what}", help_)
 
-    def _refs_of(self, model: Any, node: Entries, path: Path) -> list[tuple[str, Reference, Any]]:
-        """Return the fields of a model that name something: of a condition, or a value read of several, also groups."""
+    def _refs_of(self, model: Any, node: Entries, path: Path) -> Iterator[tuple[str, Reference]]:
+        """Yield the keys that name something: of a condition, or a value read of several, also groups."""
         over = getattr(model, "OVER", "") if _is_folded(path) or issubclass(model, Condition) else ""
         is_of_robots = any(key in node.entries for key in getattr(model, "OF_ROBOTS", ()))
         robots = getattr(model, "OWNER", "") if is_of_robots else ""
         is_bounded = "draw" in node.entries and not _BOUNDS.isdisjoint(node.entries)
-        found = []
-        for _, key, reference, default in refs_of(model):
+        for key, reference in ((key, one) for _, key, one in refs_of(model) if key in node.entries):
             one = replace(reference, **_ONLY_ROBOTS) if key == robots and isinstance(reference, Ref) else reference
             one = replace(one, groups=True) if key == over and isinstance(one, Ref) else one
             one = replace(one, numbers=(-inf, inf)) if is_bounded and isinstance(one, SectionRef) else one
             if isinstance(one, Ref) and "entrant" in one.kinds and not self._is_per_entrants(node):
                 one = replace(one, kinds=one.kinds - {"entrant"})
-            found.append((key, one, default))
-        return found
+            yield key, one
 
     def _is_per_entrants(self, node: Entries) -> bool:
         """Return whether a mapping names a counter, flag or timer that each entrant has."""

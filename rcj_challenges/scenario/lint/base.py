@@ -55,7 +55,7 @@ class LintContext:
         return [
             Use(type(model), (*path, key), text, reference)
             for model, path in self.models
-            for name, key, reference, _ in refs_of(type(model))
+            for name, key, reference in refs_of(type(model))
             for text in _names(getattr(model, name), reference)
         ]
 
