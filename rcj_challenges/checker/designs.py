@@ -36,7 +36,8 @@ def check_designs(team: Team, loaded: Loaded) -> Stage:
         for verdict in brought.verdicts if brought is not None else ():
             found |= dict.fromkeys(map(_finding, [*verdict.problems, *verdict.warnings]))
             found |= dict.fromkeys(_unused(team, verdict))
-            for design, prices in verdict.prices.items():
+            for design in verdict.designs:
+                prices = verdict.prices(design)
                 cost = sum(one.points for one in prices)  # integers
                 if cost > guideline.budget:
                     continue
@@ -55,8 +56,8 @@ def check_designs(team: Team, loaded: Loaded) -> Stage:
 def _unused(team: Team, verdict: Verdict) -> Iterator[Diagnostic]:
     """Yield the devices that cost points and whose name is in no program."""
     programs = [content for path, content in team.files.items() if path.suffix == ".py"]
-    for design, costs in verdict.costs.items():
-        for device, points in costs.items():
+    for design in verdict.designs:
+        for device, points in verdict.costs(design).items():
             if points and not any(device.encode() in program for program in programs):
                 message = f"{design}: no program asks for '{device}', which costs {points}"
                 yield Diagnostic(DESIGN_UNUSED_DEVICE, sanitize(message, _MAX_SHOWN), "", ROBOT_FILE)

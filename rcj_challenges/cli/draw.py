@@ -78,4 +78,4 @@ def _designs(scenario: Scenario, team_path: str) -> str:
     (verdict,) = brought.verdicts
     if not verdict.designs:
         raise DiagnosticError(*verdict.problems)
-    return draw_designs(team.name, verdict, scenario.guidelines[scenario.entrants[seat].design or ""])
+    return draw_designs(team.name, verdict)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -24,7 +24,6 @@ from rcj_challenges.rules.phrasing import counted, listed, metres
 from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, listing
 from rcj_challenges.scenario.models.designs import Allowance, Design, Guideline, Part, RobotFile
-from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
 from rcj_challenges.scenario.tree import Entries, Path, in_names, mark_of, plain
 
@@ -46,17 +45,31 @@ class Priced:
 
 @dataclass
 class Verdict:
-    """What comes of a file: problems and warnings, and the design of each robot if all is well.
+    """What comes of the designs of a team: what they cost, and of their file what is wrong or odd.
 
-    ``prices`` are the tables by design, ``costs`` the points of each device by design and name.
+    Attributes:
+        robots: the design of each robot, by its name.
     """
 
+    guideline: Guideline
+    designs: Mapping[str, Design] = field(default_factory=dict)
+    robots: tuple[str, ...] = ()
     problems: list[Diagnostic] = field(default_factory=list)
     warnings: list[Diagnostic] = field(default_factory=list)
-    prices: dict[str, list[Priced]] = field(default_factory=dict)
-    costs: dict[str, dict[str, int]] = field(default_factory=dict)
-    robots: tuple[str, ...] = ()
-    designs: Mapping[str, Design] = field(default_factory=dict)
+
+    def costs(self, design: str) -> dict[str, int]:
+        """Return the points of each device of a design, but of those that are not allowed."""
+        parts, devices = self.guideline.devices, self.designs[design].devices.items()
+        return {name: _price(device, parts[device.name()]) for name, device in devices if device.name() in parts}
+
+    def prices(self, design: str) -> list[Priced]:
+        """Return the price table of a design: its drive, and its devices by their kind."""
+        chassis, devices = self.designs[design].chassis, self.designs[design].devices
+        drive = self.guideline.drives.get(chassis.name())
+        points = {chassis.name(): [_price(chassis, drive)]} if drive is not None else {}
+        for name, cost in self.costs(design).items():
+            points.setdefault(devices[name].name(), []).append(cost)
+        return [Priced(kind, len(parts), sum(parts)) for kind, parts in points.items()]
 
 
 def judge_designs(data: bytes, guideline: Guideline, robots: int, ball_m: float, kept: Mapping[str, Device]) -> Verdict:
@@ -69,41 +82,20 @@ def judge_designs(data: bytes, guideline: Guideline, robots: int, ball_m: float,
         ball_m: radius of the largest ball.
         kept: the devices that every robot keeps.
     """
-    verdict = Verdict()
     try:
         tree, file = _read(data)
     except ScenarioError as error:
-        verdict.problems = [
-            Diagnostic(codes.DESIGN_UNREADABLE, one.message, one.help, one.where) for one in error.diagnostics
-        ]
-        return verdict
-    verdict.designs = file.designs
-    if len(file.designs) > guideline.designs:
-        message = f"{counted(len(file.designs), 'design')}, {guideline.designs} allowed"
-        verdict.problems.append(_problem(codes.DESIGN_TOO_MANY, message, "", tree, ("designs",)))
+        unreadable = codes.DESIGN_UNREADABLE
+        problems = [Diagnostic(unreadable, one.message, one.help, one.where) for one in error.diagnostics]
+        return Verdict(guideline, problems=problems)
+    verdict = Verdict(guideline, file.designs, file.robots or tuple(file.designs) * robots)
+    found = [*_of_file(file, guideline, robots)]
     for name, design in file.designs.items():
-        for code, message, help_, path in _Judge(design, name, guideline, ball_m, kept).judge(verdict):
-            found = _problem(code, f"{name}: {message}", help_, tree, ("designs", name, *path))
-            (verdict.problems if found.level == "error" else verdict.warnings).append(found)
-    verdict.problems += _robots(file, robots, tree)
-    verdict.robots = file.robots or tuple(file.designs) * robots
-    return verdict
-
-
-def verdict_of_kits(kits: Mapping[str, Kit], guideline: Guideline, robots: Sequence[str]) -> Verdict:
-    """Return the verdict on designs that have become kits: what they cost; they were judged before.
-
-    Args:
-        kits: by name of the design.
-        guideline: of the seat.
-        robots: the design of each robot.
-    """
-    designs: dict[str, Design] = {}
-    verdict = Verdict(robots=tuple(robots), designs=designs)
-    for name, kit in kits.items():
-        devices = {name: device for name, device in kit.devices.items() if name not in guideline.keeps}
-        designs[name] = Design.model_construct(chassis=kit.chassis, devices=devices)
-        _Judge(designs[name], name, guideline, 0.0, {}).judge(verdict)
+        for code, message, help_, path in (*_judge(design, guideline, ball_m, kept), *_budget(verdict, name)):
+            found.append((code, f"{name}: {message}", help_, ("designs", name, *path)))
+    for code, message, help_, path in found:
+        problem = mark_of(tree, path, at_key=True).error(code, message, help_, in_names(tree, path))
+        (verdict.problems if problem.level == "error" else verdict.warnings).append(problem)
     return verdict
 
 
@@ -130,141 +122,120 @@ def _read(data: bytes) -> tuple[Entries, RobotFile]:
         raise ScenarioError(problems or [tree.mark.error(codes.DESIGN_UNREADABLE, message)]) from None
 
 
-def _problem(code: Code, message: str, help_: str, tree: Entries, path: Path) -> Diagnostic:
-    return mark_of(tree, path, at_key=True).error(code, message, help_, in_names(tree, path))
+_Finding = tuple[Code, str, str, Path]
+"""Code, message, help, and the path within the file or the design."""
 
 
-def _robots(file: RobotFile, robots: int, tree: Entries) -> Iterator[Diagnostic]:
+def _of_file(file: RobotFile, guideline: Guideline, robots: int) -> Iterator[_Finding]:
+    if len(file.designs) > guideline.designs:
+        message = f"{counted(len(file.designs), 'design')}, {guideline.designs} allowed"
+        yield codes.DESIGN_TOO_MANY, message, "", ("designs",)
     for number, name in enumerate(file.robots):
         if name not in file.designs:
             help_ = choice_of(name, file.designs)
-            yield _problem(codes.DESIGN_UNKNOWN_DESIGN, f"there is no design '{name}'", help_, tree, ("robots", number))
+            yield codes.DESIGN_UNKNOWN_DESIGN, f"there is no design '{name}'", help_, ("robots", number)
     if len(file.robots) != robots and (file.robots or len(file.designs) > 1):
         message = f"a team has {counted(robots, 'robot')}, and {len(file.robots)} have a design"
         help_ = f"robots: [{', '.join(list(file.designs)[:1] * robots)}]"
-        yield _problem(codes.DESIGN_ROBOTS, message, help_, tree, ("robots",))
+        yield codes.DESIGN_ROBOTS, message, help_, ("robots",)
 
 
-_Finding = tuple[Code, str, str, Path]
-"""Code, message, help, and the path within the design."""
+def _judge(design: Design, guideline: Guideline, ball_m: float, kept: Mapping[str, Device]) -> Iterator[_Finding]:
+    """Yield what is wrong or odd in a design."""
+    chassis, devices = design.chassis, design.devices
+    yield from _drive(chassis, guideline)
+    yield from _size(chassis, guideline, ball_m)
+    for name, device in devices.items():
+        if name in kept:
+            message = f"every robot has a device '{name}' already"
+            yield codes.DESIGN_NAME_TAKEN, message, "take another name", ("devices", name)
+        yield from _device(name, device, chassis, guideline)
+    for kind, count in Counter(device.name() for device in devices.values()).items():
+        part = guideline.devices.get(kind)
+        if part is not None and part.at_most is not None and count > part.at_most:
+            yield codes.DESIGN_TOO_MANY, f"{count} times {kind}, {part.at_most} allowed", "", ("devices",)
+    driven = {device.wheel for device in devices.values() if isinstance(device, MotorDevice)}
+    for wheel in chassis.wheel_names():
+        if wheel not in driven:
+            yield codes.DESIGN_NO_MOTOR, f"wheel {wheel} has no motor and never turns", "", ("devices",)
 
 
-class _Judge:
-    """Judges one design."""
+def _drive(chassis: Chassis, guideline: Guideline) -> Iterator[_Finding]:
+    kind = chassis.name()
+    for key, message in chassis.contradictions():
+        code = codes.DESIGN_CANNOT_DRIVE if key == "wheels_at_rad" else codes.DESIGN_CONTRADICTION
+        yield code, message, "", ("chassis", key)
+    if kind not in guideline.drives:
+        help_ = f"allowed: {listing(guideline.drives)}"
+        yield codes.DESIGN_NOT_ALLOWED, f"the drive {kind} is not allowed", help_, ("chassis",)
+    else:
+        yield from _part(kind, chassis, guideline.drives[kind], ("chassis",))
+    if chassis.shape not in guideline.shapes:
+        help_ = f"allowed: {listing(guideline.shapes)}"
+        yield codes.DESIGN_NOT_ALLOWED, f"the shape {chassis.shape} is not allowed", help_, ("chassis", "shape")
 
-    def __init__(
-        self, design: Design, name: str, guideline: Guideline, ball_m: float, kept: Mapping[str, Device]
-    ) -> None:
-        self._chassis, self._devices = design.chassis, design.devices
-        self._name, self._guideline, self._ball_m, self._kept = name, guideline, ball_m, kept
-        self._prices: dict[str, Priced] = {}
-        self._costs: dict[str, int] = {}
 
-    def judge(self, verdict: Verdict) -> list[_Finding]:
-        """Return what is wrong or odd, and note the prices in a verdict."""
-        found = list(self._findings())
-        verdict.prices[self._name] = list(self._prices.values())
-        verdict.costs[self._name] = {name: cost for name, cost in self._costs.items() if name in self._devices}
-        return found
+def _device(name: str, device: Device, chassis: Chassis, guideline: Guideline) -> Iterator[_Finding]:
+    path: Path = ("devices", name)
+    for key, message in device.contradictions(chassis):
+        yield codes.DESIGN_CONTRADICTION, f"'{name}': {message}", "", (*path, key)
+    part = guideline.devices.get(device.name())
+    if part is None:
+        help_ = f"allowed: {listing(guideline.devices, 40)}"
+        yield codes.DESIGN_NOT_ALLOWED, f"'{name}': {device.name()} is not allowed", help_, path
+        return
+    yield from _part(name, device, part, path)
+    place = device.place()
+    if place is not None:
+        beyond_m = max(_beyond_m(chassis, *place[:2]), place[2] - chassis.height_m)
+        if beyond_m > _OUTSIDE_M:
+            yield codes.DESIGN_OUTSIDE, f"'{name}' sits {_metres_up(beyond_m)} outside of the body", "", path
 
-    def _findings(self) -> Iterator[_Finding]:
-        yield from self._drive()
-        yield from self._size()
-        counts = Counter(device.name() for device in self._devices.values())
-        for name, device in self._devices.items():
-            yield from self._device(name, device)
-        for kind, count in counts.items():
-            part = self._guideline.devices.get(kind)
-            if part is not None and part.at_most is not None and count > part.at_most:
-                yield codes.DESIGN_TOO_MANY, f"{count} times {kind}, {part.at_most} allowed", "", ("devices",)
-        driven = {device.wheel for device in self._devices.values() if isinstance(device, MotorDevice)}
-        for wheel in self._chassis.wheel_names():
-            if wheel not in driven:
-                yield codes.DESIGN_NO_MOTOR, f"wheel {wheel} has no motor and never turns", "", ("devices",)
-        yield from self._budget()
 
-    def _drive(self) -> Iterator[_Finding]:
-        chassis, guideline = self._chassis, self._guideline
-        kind = chassis.name()
-        for key, message in chassis.contradictions():
-            code = codes.DESIGN_CANNOT_DRIVE if key == "wheels_at_rad" else codes.DESIGN_CONTRADICTION
-            yield code, message, "", ("chassis", key)
-        if kind not in guideline.drives:
-            help_ = f"allowed: {listing(guideline.drives)}"
-            yield codes.DESIGN_NOT_ALLOWED, f"the drive {kind} is not allowed", help_, ("chassis",)
-        else:
-            yield from self._part(kind, chassis, guideline.drives[kind], ("chassis",))
-        if chassis.shape not in guideline.shapes:
-            help_ = f"allowed: {listing(guideline.shapes)}"
-            yield codes.DESIGN_NOT_ALLOWED, f"the shape {chassis.shape} is not allowed", help_, ("chassis", "shape")
+def _part(name: str, word: Chassis | Device, part: Part, path: Path) -> Iterator[_Finding]:
+    """Yield what is wrong with the fields of a part."""
+    for key, info in type(word).model_fields.items():
+        value, allowance = getattr(word, key), part.limits.get(key)
+        if allowance is not None:
+            amount = _amount(value)
+            wrong = _limit(amount, allowance)
+            if wrong:
+                yield codes.DESIGN_OUT_OF_RANGE, f"'{name}': {key} is {amount:g}; {wrong}", "", (*path, key)
+        elif key not in {word.KEY, *word.FREE} and value != info.get_default(call_default_factory=True):
+            message = f"'{name}': {key} may not be chosen"
+            yield codes.DESIGN_OUT_OF_RANGE, message, "leave it out", (*path, key)
 
-    def _device(self, name: str, device: Device) -> Iterator[_Finding]:
-        path: Path = ("devices", name)
-        part = self._guideline.devices.get(device.name())
-        if name in self._kept:
-            yield codes.DESIGN_NAME_TAKEN, f"every robot has a device '{name}' already", "take another name", path
-        for key, message in device.contradictions(self._chassis):
-            yield codes.DESIGN_CONTRADICTION, f"'{name}': {message}", "", (*path, key)
-        if part is None:
-            help_ = f"allowed: {listing(self._guideline.devices, 40)}"
-            yield codes.DESIGN_NOT_ALLOWED, f"'{name}': {device.name()} is not allowed", help_, path
-            return
-        yield from self._part(name, device, part, path)
-        place = device.place()
-        if place is not None:
-            beyond_m = max(_beyond_m(self._chassis, *place[:2]), place[2] - self._chassis.height_m)
-            if beyond_m > _OUTSIDE_M:
-                yield codes.DESIGN_OUTSIDE, f"'{name}' sits {_metres_up(beyond_m)} outside of the body", "", path
 
-    def _part(self, name: str, word: Chassis | Device, part: Part, path: Path) -> Iterator[_Finding]:
-        """Yield what is wrong with the fields of a part, and note its price."""
-        points = part.price
-        for key, info in type(word).model_fields.items():
-            value, allowance = getattr(word, key), part.limits.get(key)
-            if allowance is not None:
-                amount = _amount(value)
-                wrong = _limit(amount, allowance)
-                if wrong:
-                    yield codes.DESIGN_OUT_OF_RANGE, f"'{name}': {key} is {amount:g}; {wrong}", "", (*path, key)
-                points += _price(amount, allowance)
-            elif key not in {word.KEY, *word.FREE} and value != info.get_default(call_default_factory=True):
-                message = f"'{name}': {key} may not be chosen"
-                yield codes.DESIGN_OUT_OF_RANGE, message, "leave it out", (*path, key)
-        kind = word.name()
-        self._costs[name] = points
-        others = self._prices.pop(kind, Priced(kind, 0, 0))
-        self._prices[kind] = Priced(kind, others.count + 1, others.points + points)
+def _size(chassis: Chassis, limits: Guideline, ball_m: float) -> Iterator[_Finding]:
+    parts = chassis.solids()
+    parts |= {f"wheel {wheel.name}": wheel.corners() for wheel in chassis.wheels()}
+    reaches = {name: max(math.hypot(*corner) for corner in outline) for name, outline in parts.items()}
+    widest = max(reaches, key=reaches.__getitem__)
+    if 2 * reaches[widest] > limits.max_diameter_m + 1e-9:
+        message = (
+            f"it needs a cylinder of {_metres_up(2 * reaches[widest])}, {metres(limits.max_diameter_m)} are allowed"
+            f": {widest.replace('_', ' ')} reaches furthest"
+        )
+        yield codes.DESIGN_TOO_WIDE, message, "", ("chassis",)
+    if chassis.height_m > limits.max_height_m:
+        message = f"it is {metres(chassis.height_m)} high, {metres(limits.max_height_m)} are allowed"
+        yield codes.DESIGN_TOO_HIGH, message, "the height is that of `size_m`", ("chassis",)
+    if chassis.total_mass_kg > limits.max_mass_kg:
+        message = f"it weighs {chassis.total_mass_kg:.3g} kg with its wheels, {limits.max_mass_kg:g} kg are allowed"
+        yield codes.DESIGN_TOO_HEAVY, message, "", ("chassis",)
+    depth_m = chassis.mouth_m(ball_m)
+    if depth_m > limits.max_mouth_m:
+        message = f"a ball enters the jaws by {metres(depth_m)}, {metres(limits.max_mouth_m)} are allowed"
+        yield codes.DESIGN_MOUTH, message, "", ("chassis", "jaws_m")
 
-    def _size(self) -> Iterator[_Finding]:
-        chassis, limits = self._chassis, self._guideline
-        parts = chassis.solids()
-        parts |= {f"wheel {wheel.name}": wheel.corners() for wheel in chassis.wheels()}
-        reaches = {name: max(math.hypot(*corner) for corner in outline) for name, outline in parts.items()}
-        widest = max(reaches, key=reaches.__getitem__)
-        if 2 * reaches[widest] > limits.max_diameter_m + 1e-9:
-            message = (
-                f"it needs a cylinder of {_metres_up(2 * reaches[widest])}, {metres(limits.max_diameter_m)} are allowed"
-                f": {widest.replace('_', ' ')} reaches furthest"
-            )
-            yield codes.DESIGN_TOO_WIDE, message, "", ("chassis",)
-        if chassis.height_m > limits.max_height_m:
-            message = f"it is {metres(chassis.height_m)} high, {metres(limits.max_height_m)} are allowed"
-            yield codes.DESIGN_TOO_HIGH, message, "the height is that of `size_m`", ("chassis",)
-        if chassis.total_mass_kg > limits.max_mass_kg:
-            message = f"it weighs {chassis.total_mass_kg:.3g} kg with its wheels, {limits.max_mass_kg:g} kg are allowed"
-            yield codes.DESIGN_TOO_HEAVY, message, "", ("chassis",)
-        depth_m = chassis.mouth_m(self._ball_m)
-        if depth_m > limits.max_mouth_m:
-            message = f"a ball enters the jaws by {metres(depth_m)}, {metres(limits.max_mouth_m)} are allowed"
-            yield codes.DESIGN_MOUTH, message, "", ("chassis", "jaws_m")
 
-    def _budget(self) -> Iterator[_Finding]:
-        budget, cost = self._guideline.budget, sum(one.points for one in self._prices.values())  # integers
-        if cost > budget:
-            saving = [name for name, points in self._costs.items() if name in self._devices and points >= cost - budget]
-            help_ = f"leaving out '{min(saving, key=self._costs.__getitem__)}' is enough" if saving else ""
-            message = f"it costs {cost}, {budget} are allowed: {price_words(self._prices.values())}"
-            yield codes.DESIGN_OVER_BUDGET, message, help_, ()
+def _budget(verdict: Verdict, design: str) -> Iterator[_Finding]:
+    prices, costs, budget = verdict.prices(design), verdict.costs(design), verdict.guideline.budget
+    cost = sum(one.points for one in prices)  # integers
+    if cost > budget:
+        saving = [name for name, points in costs.items() if points >= cost - budget]
+        help_ = f"leaving out '{min(saving, key=costs.__getitem__)}' is enough" if saving else ""
+        yield codes.DESIGN_OVER_BUDGET, f"it costs {cost}, {budget} are allowed: {price_words(prices)}", help_, ()
 
 
 def price_words(prices: Iterable[Priced]) -> str:
@@ -286,8 +257,10 @@ def _limit(amount: float, allowance: Allowance) -> str:
     return f"at most {most:g}" if amount > most else ""
 
 
-def _price(amount: float, allowance: Allowance) -> int:
-    return next((points for up_to, points in allowance.prices if amount <= up_to), 0)
+def _price(word: Chassis | Device, part: Part) -> int:
+    """Return the points of a part: its own, and those of its fields."""
+    amounts = ((_amount(getattr(word, key)), allowance.prices) for key, allowance in part.limits.items())
+    return part.price + sum(next((more for up_to, more in prices if amount <= up_to), 0) for amount, prices in amounts)
 
 
 def _metres_up(length_m: float) -> str:

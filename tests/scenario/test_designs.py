@@ -77,7 +77,7 @@ def test_design_within_the_guidelines_has_a_price_table():
     devices += ", eye: {device: camera, recognition: true}"
     verdict = judged(design(devices=devices))
     assert verdict.problems == verdict.warnings == []
-    assert {(one.what, one.count, one.points) for one in verdict.prices["striker"]} == {
+    assert {(one.what, one.count, one.points) for one in verdict.prices("striker")} == {
         ("omni", 1, 1200), ("motor", 4, 0), ("sonar", 2, 100), ("camera", 1, 900),
     }  # fmt: skip
     assert verdict.robots == ("striker",) * 3
@@ -217,5 +217,5 @@ def test_design_in_the_documentation_is_within_the_guidelines_in_the_reference()
     text = page.partition("```yaml\n")[2].partition("```")[0]
     verdict = judge_designs(text.encode(), documented_guideline(), 3, 0.021, {})
     assert [str(one) for one in verdict.problems + verdict.warnings] == []
-    cost = sum(one.points for one in verdict.prices["striker"])
+    cost = sum(one.points for one in verdict.prices("striker"))
     assert f"striker costs {cost} of 3000: 1 omni 1200, 1 kicker 400, 1 compass 150 and 1 sonar 50" in page

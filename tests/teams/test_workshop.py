@@ -56,7 +56,7 @@ def test_the_usual_robots_are_within_the_guidelines(path):
             file = {"design_version": 1, "designs": {"usual": {"chassis": data.get("chassis", {}), "devices": devices}}}
             verdict = judge_designs(yaml.safe_dump(file).encode(), guideline, len(entrant.robots), 0.021, {})
             assert [str(one) for one in verdict.problems + verdict.warnings] == [], seat
-            assert sum(one.points for one in verdict.prices["usual"]) <= guideline.budget
+            assert sum(one.points for one in verdict.prices("usual")) <= guideline.budget
 
 
 @pytest.mark.parametrize("name", WORKSHOP)

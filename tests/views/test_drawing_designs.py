@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.views.drawing.designs import draw_designs
-from tests.scenario.test_designs import design, guideline, judged
+from tests.scenario.test_designs import design, judged
 from tests.views.test_drawing import extent_px, legend, titled
 
 TEAMS = Path(__file__).resolve().parents[2] / "examples" / "teams"
@@ -19,7 +19,7 @@ WORKSHOP = ("workshop_classic", "workshop_keeper", "workshop_striker")
 
 
 def drawn(text: str) -> ET.Element:
-    return ET.fromstring(draw_designs("Us", judged(text), guideline()))
+    return ET.fromstring(draw_designs("Us", judged(text)))
 
 
 def centre_and_radius(picture: ET.Element) -> tuple[tuple[float, float], float]:

@@ -9,7 +9,8 @@ from rcj_challenges.core.files import slug
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, read_file
 from rcj_challenges.records.recorded_scenario import read_scenario
-from rcj_challenges.scenario.designs import verdict_of_kits
+from rcj_challenges.scenario.designs import Verdict
+from rcj_challenges.scenario.models.designs import Design
 from rcj_challenges.tournament.site.model import MatchView, Season
 from rcj_challenges.tournament.site.tree import Tree
 from rcj_challenges.views.drawing.designs import design_card, points_words
@@ -49,14 +50,17 @@ def publish_cards(tree: Tree, season: Season, team: str) -> list[RobotCard]:
     if guideline is None:
         return []
     names = {kit: kit.removeprefix(f"design_{seat}_").partition("_")[2] or kit for kit in entrant.kits}
-    kits = {name: scenario.kits[kit] for kit, name in names.items()}
-    verdict = verdict_of_kits(kits, guideline, [names[kit] for kit in entrant.kits])
-    drawn = {name: design_card(verdict, name, guideline) for name in kits}
+    designs: dict[str, Design] = {}
+    for kit, name in names.items():
+        devices = {own: device for own, device in scenario.kits[kit].devices.items() if own not in guideline.keeps}
+        designs[name] = Design.model_construct(chassis=scenario.kits[kit].chassis, devices=devices)
+    verdict = Verdict(guideline, designs, tuple(names[kit] for kit in entrant.kits))
+    drawn = {name: design_card(verdict, name) for name in designs}
     files = {name: f"{slug(team)}.{number}.svg" for number, name in enumerate(drawn, 1)}
     for name, card in drawn.items():
         tree.write(f"teams/{files[name]}", card.picture)
     return [
-        RobotCard(number, name, points_words(verdict, name, guideline), files[name], drawn[name].lines)
+        RobotCard(number, name, points_words(verdict, name), files[name], drawn[name].lines)
         for number, name in enumerate(verdict.robots, 1)
     ]
 

@@ -41,36 +41,32 @@ class Card(NamedTuple):
     lines: list[Entry]
 
 
-def draw_designs(team: str, verdict: Verdict, guideline: Guideline) -> str:
+def draw_designs(team: str, verdict: Verdict) -> str:
     """Return the drawing as an SVG document: a row for each design, and on the right what is in it, with prices.
 
     Args:
         team: its name.
         verdict: on the file; a design that breaks the guidelines is drawn too.
-        guideline: of the seat.
     """
-    paper = _paper([design.chassis for design in verdict.designs.values()], guideline)
+    paper = _paper([design.chassis for design in verdict.designs.values()], verdict.guideline)
     sections = [
-        (
-            f"{name}{_robots(verdict, name)}: {points_words(verdict, name, guideline)}",
-            _draw(paper, verdict, name, guideline, row),
-        )
+        (f"{name}{_robots(verdict, name)}: {points_words(verdict, name)}", _draw(paper, verdict, name, row))
         for row, name in enumerate(verdict.designs)
     ]
     sections.append(("Not as the guidelines demand", [Entry(problem.message) for problem in verdict.problems]))
     return paper.svg(f"Robots of {team}", sections, shown="designs")
 
 
-def design_card(verdict: Verdict, name: str, guideline: Guideline) -> Card:
+def design_card(verdict: Verdict, name: str) -> Card:
     """Return one design of a verdict."""
-    paper = _paper([verdict.designs[name].chassis], guideline)
-    lines = _draw(paper, verdict, name, guideline, 0)
+    paper = _paper([verdict.designs[name].chassis], verdict.guideline)
+    lines = _draw(paper, verdict, name, 0)
     return Card(paper.svg(name, shown="design"), lines)
 
 
-def points_words(verdict: Verdict, name: str, guideline: Guideline) -> str:
+def points_words(verdict: Verdict, name: str) -> str:
     """Return what a design costs: ``2800 of 3000 points``."""
-    return f"{sum(one.points for one in verdict.prices[name])} of {guideline.budget} points"  # integers
+    return f"{sum(one.points for one in verdict.prices(name))} of {verdict.guideline.budget} points"  # integers
 
 
 def _robots(verdict: Verdict, name: str) -> str:
@@ -83,7 +79,7 @@ def _paper(chassis: Sequence[Chassis], guideline: Guideline) -> Paper:
     return Paper((-far_m, (1 - 2 * len(chassis)) * far_m, far_m, far_m), _ROW_PX / (2 * far_m))
 
 
-def _draw(paper: Paper, verdict: Verdict, name: str, guideline: Guideline, row: int) -> list[Entry]:
+def _draw(paper: Paper, verdict: Verdict, name: str, row: int) -> list[Entry]:
     """Draw a design in its row, and return its lines of the legend."""
     design, far_m = verdict.designs[name], paper.bounds[2]
     at = (0.0, -2 * row * far_m, _AHEAD_RAD)
@@ -91,11 +87,11 @@ def _draw(paper: Paper, verdict: Verdict, name: str, guideline: Guideline, row: 
     for device_name, device in design.devices.items():  # below the body
         _draw_view(paper, device, device_name, at)
     drive = design.chassis.name()
-    prices = [Entry(f"{drive} drive, {one.points}") for one in verdict.prices[name] if one.what == drive]
+    prices = [Entry(f"{drive} drive, {one.points}") for one in verdict.prices(name) if one.what == drive]
     return [
-        *_chassis(paper, design.chassis, guideline, at),
+        *_chassis(paper, design.chassis, verdict.guideline, at),
         *prices,
-        *_devices(paper, design, verdict.costs[name], at),
+        *_devices(paper, design, verdict.costs(name), at),
     ]
 
 
