@@ -161,13 +161,15 @@ class SchemaWriter:
             return plain
         options = plain.get("anyOf", [plain])
         # A word alone distinguishes one form of a mapping from the others; beside other things it is an ordinary value.
-        scalar = any(_is_scalar(option) or ("const" in option and len(options) > 1) for option in options)
+        words = {"enum", "const"} if len(options) > 1 else {"enum"}
+        scalar = any(option.get("type") in _TYPES.values() or words & option.keys() for option in options)
         return _or_param(plain) if scalar and _PARAM_REF not in options else plain
 
     def _plain(self, shape: Shape, *, partial: bool) -> _Json:
         kind, discriminator = bare(shape)
         extras = get_args(shape)[1:] if hasattr(shape, "__metadata__") else ()
-        described = {"description": text} if (text := _description(extras)) else {}
+        texts = [extra.description for extra in extras if isinstance(extra, FieldInfo) and extra.description]
+        described = {"description": texts[-1]} if texts else {}
         if is_union(kind):
             options = self._options(shape, partial=partial)
             if isinstance(discriminator, str) and self._with_params:
@@ -255,10 +257,6 @@ def _of_any_form(discriminator: str) -> _Json:
     return {"type": "object", "properties": {discriminator: which}, "required": [discriminator]}
 
 
-def _is_scalar(schema: _Json) -> bool:
-    return schema.get("type") in _TYPES.values() or "enum" in schema
-
-
 def _flat(options: Iterable[_Json]) -> list[_Json]:
     """Return options without unions in unions, each once."""
     found: list[_Json] = []
@@ -267,11 +265,6 @@ def _flat(options: Iterable[_Json]) -> list[_Json]:
             if part not in found:
                 found.append(part)
     return found
-
-
-def _description(extras: Iterable[Any]) -> str:
-    found = [extra.description for extra in extras if isinstance(extra, FieldInfo) and extra.description]
-    return found[-1] if found else ""
 
 
 def keywords(extras: Iterable[Any], shape: Shape) -> _Json:

@@ -61,8 +61,6 @@ def robots_with_emitter(scenario: Scenario) -> list[str]:
     driven = {name for entrant in scenario.entrants.values() for name in entrant.robots}
     return [
         name
-        for name, robot in scenario.robots.items()
-        if name in driven
-        and not robot.idle
-        and any(isinstance(device, TeamEmitterDevice) for device in devices_of(scenario, name).values())
+        for name in scenario.robots
+        if name in driven and any(isinstance(one, TeamEmitterDevice) for one in devices_of(scenario, name).values())
     ]

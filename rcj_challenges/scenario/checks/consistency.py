@@ -23,7 +23,7 @@ from rcj_challenges.scenario import codes
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, in_half, longest_half_s
-from rcj_challenges.scenario.models.designs import Guideline, Part
+from rcj_challenges.scenario.models.designs import Part
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, MatchExpectation, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw, Sequence
@@ -68,7 +68,8 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     yield from _robots(scenario, roster)
     yield from dict.fromkeys(_kits_of_teams(scenario))
     for name, guideline in scenario.guidelines.items():
-        yield from _guideline(guideline, ("guidelines", name))
+        yield from _parts(guideline.drives, CHASSIS, ("guidelines", name, "drives"))
+        yield from _parts(guideline.devices, DEVICES, ("guidelines", name, "devices"))
     yield from _entrants(scenario)
     yield from _ranking(scenario)
 
@@ -316,13 +317,8 @@ def _ranking(scenario: Scenario) -> Iterator[Diagnostic]:
 # --- guidelines -------------------------------------------------------------------------------------------------------
 
 
-def _guideline(guideline: Guideline, path: Path) -> Iterator[Diagnostic]:
-    """Yield the mistakes in a guideline."""
-    yield from _parts(guideline.drives, CHASSIS, (*path, "drives"))
-    yield from _parts(guideline.devices, DEVICES, (*path, "devices"))
-
-
 def _parts(parts: Mapping[str, Part], words: Vocabulary, path: Path) -> Iterator[Diagnostic]:
+    """Yield the mistakes in what a guideline allows of one kind."""
     known = {word.name(): word for word in words.words()}
     for name, part in parts.items():
         if name not in known:
