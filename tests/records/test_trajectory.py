@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.play import Fault, Placement, RefereeOutput, Snapshot
@@ -151,16 +151,17 @@ def test_a_folder_without_a_result_is_not_a_record(tmp_path: Path) -> None:
     assert _code(tmp_path) == "record-incomplete"
 
 
+@example(place=212, byte=9)  # a bit that a block of zlib leaves free
 @given(place=st.integers(0, 40_000), byte=st.integers(0, 255))
 def test_a_changed_byte_is_noticed(place: int, byte: int, good: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     data = bytearray((good / FILE).read_bytes())
-    same = data[place % len(data)] == byte
     data[place % len(data)] = byte
     folder = _copy_with(good, tmp_path_factory.mktemp("damaged"), bytes(data))
     with contextlib.suppress(RecordError):
         trajectory = Trajectory.open(folder)
         header_bytes = data.index(b"\n")  # it has no checksum
-        assert same or place % len(data) <= header_bytes
+        is_same = chunks.read_chunks(folder / FILE).chunks == chunks.read_chunks(good / FILE).chunks
+        assert is_same or place % len(data) <= header_bytes
         assert [half.ticks for half in trajectory.halves] == [30]
 
 

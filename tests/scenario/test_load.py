@@ -1,5 +1,6 @@
 """Loading a scenario: what comes out, and that it can be read again."""
 
+import copy
 import errno
 import json
 import time
@@ -30,7 +31,7 @@ def test_the_resolved_scenario_is_json_and_reads_as_the_same(name):
 
 
 def test_what_a_record_holds_is_checked_too():
-    resolved = load("match").resolved
+    resolved = copy.deepcopy(load("match").resolved)  # tests share it
     resolved["rules"]["goal_in_blue"]["triggers"][0]["zone"] = "gaol"
     with pytest.raises(
         ScenarioError, match=r"unknown-name(.|\n)*resolved scenario  rules\.goal_in_blue\.triggers\[0\]"
