@@ -35,6 +35,7 @@ zones = st.one_of(
 @example(PolygonZone(shape="polygon", points_m=((0.0, -1.0), (0.438, 0.0), (-1.0, 0.0))), (0.0, 0.0), 0.0, -1.0)
 def test_within_a_cell_the_answer_is_the_same(zone, here, along_x, along_y):
     region = region_of(zone)
+    assume(not 0 < region.outline_m(*here) < 1e-12)  # on the line but for rounding
     x_low, x_high, y_low, y_high = region.cell(*here)
     assume(x_low < here[0] < x_high and y_low < here[1] < y_high)
 
