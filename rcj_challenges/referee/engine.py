@@ -23,6 +23,7 @@ from rcj_challenges.referee.placement import AT_REST, PlacementJob, apply_placem
 from rcj_challenges.referee.ranking import RankedValues
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.effects import Places
+from rcj_challenges.rules.placement import AS_USUAL
 from rcj_challenges.rules.places import place_of
 from rcj_challenges.rules.ranked import counters_in
 from rcj_challenges.scenario.draw_order import Series
@@ -299,7 +300,7 @@ class Referee:
         """At tick 0: what has noise in its start pose and was placed by no rule starts with that noise."""
         for entity, name in enumerate(self._state.names):
             if start_noise_m(self._state.scenario, name) != (0.0, 0.0) and not self._queue.concerns(entity):
-                start = Places(name, place_of("start"))
+                start = Places(name, place_of("start"), AS_USUAL)
                 spec = compile_placement(start, self._context.names, entity, f"placement/start/{name}")
                 self._queue.ask(PlacementJob(entity, spec, None))
 
@@ -311,7 +312,7 @@ class Referee:
         placements, failed = carry_out(jobs, state, self._context.bodies)
         for job in failed:
             self._log_no_room(job)
-            if job.spec is not None and job.spec.how.waits:
+            if job.spec is not None and job.spec.how.on_failure == "retry":
                 self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, is_logged=True))
             elif job.instead_of is not None and not state.present[job.entity]:
                 # An entity that was to be removed and placed in one tick, and stays, was never off.

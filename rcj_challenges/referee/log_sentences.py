@@ -64,7 +64,7 @@ def no_room_sentence(job: PlacementJob, spec: PlacementSpec, state: State, bodie
     """Return the sentence about an entity that could not be set down, and why, once all others are set down."""
     name = state.names[job.entity]
     stays = "where it is" if state.present[job.entity] else "off the field"
-    what = "waits for room" if spec.how.waits else f"stays {stays} for want of room"
+    what = "waits for room" if spec.how.on_failure == "retry" else f"stays {stays} for want of room"
     return f"{name} {what}: {_reason(job, spec, PlacementBoard(state, bodies, set()), state, bodies)}"
 
 

@@ -17,6 +17,8 @@ from rcj_challenges.tracking.places import CompiledFacing, CompiledKick, PlaceRe
 if TYPE_CHECKING:
     from rcj_challenges.rules.binder import Scope
     from rcj_challenges.rules.effects import Places
+    from rcj_challenges.rules.placement import Mirror
+    from rcj_challenges.rules.placement import Placement as WrittenPlacement
 
 Velocity = tuple[float, float]
 """Of x and y, in m/s."""
@@ -37,7 +39,8 @@ class PlacementSpec:
         kick: how it rolls away from there; None: it lies still.
     """
 
-    how: Places
+    how: WrittenPlacement
+    mirrors: tuple[Mirror, ...]
     entity: int
     where: PlaceResolver
     facing: CompiledFacing
@@ -47,7 +50,7 @@ class PlacementSpec:
     def signs_now(self, state: State) -> Point:
         """Return the signs of x and y (-1 mirrors) with all mirrors as they are now."""
         sign_x, sign_y = 1.0, 1.0
-        for mirror in self.how.mirrors:
+        for mirror in self.mirrors:
             turn_x, turn_y = mirror.signs(state)
             sign_x, sign_y = sign_x * turn_x, sign_y * turn_y
         return sign_x, sign_y
@@ -113,12 +116,14 @@ class PlacementSpec:
         return (float32(point[0]), float32(point[1]), float32(yaw))
 
 
-def compile_placement(how: Places, to: Scope, entity: int, stream: str) -> PlacementSpec:
+def compile_placement(put: Places, to: Scope, entity: int, stream: str) -> PlacementSpec:
     """Return the placement of an entity, given by its index; its random numbers come from the stream of that name."""
+    how = put.how
     return PlacementSpec(
         how=how,
+        mirrors=put.mirrors,
         entity=entity,
-        where=how.at.compile(to, entity),
+        where=put.at.compile(to, entity),
         facing=compile_facing(how.facing, to, entity),
         stream=stream,
         kick=None if how.kick is None else how.kick.compile(to, entity),

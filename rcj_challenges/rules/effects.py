@@ -3,11 +3,11 @@
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from rcj_challenges.rules.fields import Name, Names, Point, Scalar
+from rcj_challenges.rules.fields import Name, Names, Scalar
 
 if TYPE_CHECKING:
     from rcj_challenges.rules.base import PlaceWord
-    from rcj_challenges.rules.placement import Facing, Kick, Mirror
+    from rcj_challenges.rules.placement import Mirror, Placement
 
 
 @dataclass(frozen=True)
@@ -34,17 +34,12 @@ class Emits:
 
 @dataclass(frozen=True)
 class Places:
-    """Entities are put somewhere, mirrored by each of the mirrors, one after the other; ``waits``: for room."""
+    """Entities are put somewhere, mirrored by each of the mirrors, one after the other; ``how``: all the rest."""
 
     names: Names
     at: "PlaceWord"
-    facing: "Facing" = "start"
-    noise_m: Point = (0.0, 0.0)
-    kick: "Kick | None" = None
+    how: "Placement"
     mirrors: "tuple[Mirror, ...]" = ()
-    min_clearance_m: float = 0.0
-    max_attempts: int = 100
-    waits: bool = True
 
 
 @dataclass(frozen=True)

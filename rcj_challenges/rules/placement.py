@@ -205,19 +205,13 @@ class Placement(Strict):
     kick: Kick | None = described(None, "balls only: makes the ball roll away; if omitted: it lies still")
 
 
+AS_USUAL = Placement.model_construct()
+
+
 def places(placement: Placement, also: Mirror | None = None) -> Places:
     """Return a placement as an effect; ``also``: the mirror of the whole layout."""
-    return Places(
-        placement.entity or (),
-        place_of(placement.at or "start"),
-        placement.facing,
-        placement.noise_m,
-        placement.kick,
-        tuple(one for one in (placement.mirror, also) if one is not None),
-        placement.min_clearance_m,
-        placement.max_attempts,
-        placement.on_failure == "retry",
-    )
+    mirrors = tuple(one for one in (placement.mirror, also) if one is not None)
+    return Places(placement.entity or (), place_of(placement.at or "start"), placement, mirrors)
 
 
 def placement_words(phrases: Phrases, entity: Names, at: At, placement: Placement) -> str:

@@ -7,7 +7,7 @@ from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import Places, Removes
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import WAITING_NOTE
-from rcj_challenges.rules.placement import Facing, looks_words, put_words
+from rcj_challenges.rules.placement import Facing, Placement, looks_words, put_words
 from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Lasts, compile_duration, duration_words
@@ -54,7 +54,7 @@ expect:
 
     def compile(self, to: Binder) -> Act:
         away_s = None if self.for_s is None else compile_duration(self.for_s, to)
-        back = Places(self.entity, place_of(self.back_at), self.facing)
+        back = Places(self.entity, place_of(self.back_at), Placement.model_construct(facing=self.facing))
         returns = {entity: to.placement_job(back, entity) for entity in to.entities(self.entity)}
 
         def act(firing: Firing) -> None:

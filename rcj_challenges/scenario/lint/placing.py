@@ -126,7 +126,7 @@ class NoRoom(LintRule, code="no-room"):
                 point = where if isinstance(where, tuple) else (spot.x_m, spot.y_m) if spot is not None else None
                 name = str(placing.names)
                 outline = _outline(name, point, placing, ctx) if point is not None else None
-                if outline is None or placing.noise_m != (0.0, 0.0) or placing.mirrors:
+                if outline is None or placing.how.noise_m != (0.0, 0.0) or placing.mirrors:
                     continue
                 standing.pop(name, None)
                 below = next((other for other, there in standing.items() if overlap(outline, there)), None)
@@ -142,7 +142,8 @@ def _outline(name: str, point: Point, placing: Places, ctx: LintContext) -> tupl
     scenario = ctx.scenario
     if name not in {*scenario.robots, *scenario.balls}:
         return None
-    yaw_rad = start_pose(scenario, name)[2] if placing.facing == "start" or name in scenario.balls else placing.facing
+    facing = placing.how.facing
+    yaw_rad = start_pose(scenario, name)[2] if facing == "start" or name in scenario.balls else facing
     if not isinstance(yaw_rad, int | float):
         return disc(chassis_of(scenario, name).size_m / 2).at((*point, 0.0))
     return outline_of(scenario, name).at((*point, yaw_rad))

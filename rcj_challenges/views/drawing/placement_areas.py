@@ -121,9 +121,9 @@ def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
                 for put in (one for layout in alternatives(scenario, effect) for one in layout):
                     names = _names(put.names, rule)
                     for flip in _flips(*put.mirrors):
-                        yield names, put.at, put.noise_m, flip, False
-                        if put.kick is not None:
-                            yield names, place_of(put.kick.towards), _EXACTLY, flip, True
+                        yield names, put.at, put.how.noise_m, flip, False
+                        if put.how.kick is not None:
+                            yield names, place_of(put.how.kick.towards), _EXACTLY, flip, True
 
 
 def _flips(*mirrors: Mirror | None) -> list[Flip]:
@@ -141,7 +141,7 @@ def _certain_pose(scenario: Scenario, roster: Roster, put: Places, name: str) ->
     points = _points(scenario, roster, put.at) if put.at.options() else [start[:2]]
     if put.at.IS_SPREAD or len(points) != 1 or len(flips) != 1:
         return None
-    yaw_rad = float(put.facing) if isinstance(put.facing, int | float) else start[2]
+    yaw_rad = float(put.how.facing) if isinstance(put.how.facing, int | float) else start[2]
     return (*flipped(points[0], flips[0]), yaw_rad)
 
 
