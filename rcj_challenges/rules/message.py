@@ -8,7 +8,7 @@ from pydantic import Field, StringConstraints
 from rcj_challenges.core.messages import MAX_CHARACTERS, READS, matches_text
 from rcj_challenges.rules.fields import Name, Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.phrasing import listed, number
+from rcj_challenges.rules.phrasing import listed, number, what_drawn
 from rcj_challenges.rules.refs import DRAW
 
 SaidText = Annotated[
@@ -60,7 +60,7 @@ class Message(Strict):
     def said(self, phrases: Phrases) -> str:
         """Return the required message in words: ``“FOUND”``, ``2``, ``a number``; empty if it may be anything."""
         if isinstance(self.text, SaidDraw):
-            return phrases.what_drawn(self.text.draw)
+            return what_drawn(self.text.draw)
         if self.text is not None:
             wanted = self.text if isinstance(self.text, tuple) else (self.text,)
             return listed([number(one) if isinstance(one, int | float) else f"“{one}”" for one in wanted], "or")

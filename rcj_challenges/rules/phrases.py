@@ -90,9 +90,6 @@ class Phrases(Protocol):
     def is_entity(self, name: str) -> bool:
         """Return whether a name stands for an entity, and not for a spot or a draw."""
 
-    def what_drawn(self, draw: str) -> str:
-        """Return a draw's value in words: ``what was drawn as “target”``."""
-
     # --- for actions ------------------------------------------------------------------------------------------------
 
     def every_kept(self, kind: str, name: str, entity: Names | None) -> str:

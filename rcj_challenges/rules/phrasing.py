@@ -85,6 +85,11 @@ def quoted_measure(name: str) -> str:
     return f"“{measure_words(name)}”"
 
 
+def what_drawn(draw: str) -> str:
+    """Return a draw's value in words: ``what was drawn as “target”``."""
+    return f"what was drawn as {quoted_measure(draw)}"
+
+
 def listed(parts: Sequence[str], last: str) -> str:
     """Return parts as a list: ``Y1, Y2 or Y3``."""
     return f" {last} ".join(part for part in (", ".join(parts[:-1]), *parts[-1:]) if part)

@@ -8,7 +8,7 @@ from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import LONGEST_S, Name, Scalar, described
 from rcj_challenges.rules.number import NumberValue, as_number
-from rcj_challenges.rules.phrasing import listed, quoted_measure, seconds
+from rcj_challenges.rules.phrasing import listed, quoted_measure, seconds, what_drawn
 from rcj_challenges.rules.refs import DRAW
 
 _NUMBERS, _DURATIONS = replace(DRAW, numbers=(-inf, inf)), replace(DRAW, numbers=(TICK_S, LONGEST_S))
@@ -52,8 +52,8 @@ expect:
     def exactly(self, phrases: Phrases) -> tuple[Scalar, ...]:
         return phrases.draw_values(self.draw)
 
-    def describe(self, phrases: Phrases) -> str:
-        return phrases.what_drawn(self.draw)
+    def describe(self, _phrases: Phrases) -> str:
+        return what_drawn(self.draw)
 
 
 class NumberDraw(DrawValue):

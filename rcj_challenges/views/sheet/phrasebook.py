@@ -7,7 +7,7 @@ from typing import Any
 from rcj_challenges.core.amounts import Noun
 from rcj_challenges.rules.effects import Removes
 from rcj_challenges.rules.fields import Names, Scalar
-from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure, spelled
+from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure, spelled, what_drawn
 from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -57,7 +57,7 @@ class Phrasebook:
             return {"each": "its robot" if self.is_team("each") else "it", OTHER: self.other}.get(name, "a wall")
         if name in self.scenario.draws and not _kind(self.scenario, name):
             kind = self.one_kind(self.roster.drawn.get(name, ()))
-            return f"the {kind} drawn as {quoted(name)}" if kind else self.what_drawn(name)
+            return f"the {kind} drawn as {quoted(name)}" if kind else what_drawn(name)
         kind, first = _kind(self.scenario, name), name.lower().partition("_")[0]
         if name in self.scenario.roles:
             kind = self.one_kind(self.roster.roles[name])
@@ -248,9 +248,6 @@ class Phrasebook:
     def holder(self, role: str, name: str) -> str:
         is_team = set(self.roster.roles[role]) <= set(self.roster.teams)
         return self.entrant(name) if is_team and name != OTHER else self.thing(name)
-
-    def what_drawn(self, draw: str) -> str:
-        return f"what was drawn as {quoted_measure(draw)}"
 
     def drawn(self, draw: str, written: Scalar) -> str:
         if isinstance(written, str) and written in BOUND and written not in self.scenario.draws[draw].values:
