@@ -74,7 +74,7 @@ class Referee:
         self._context = CompileContext(self._state, self._emit, self.rounds.set_phase)
         assemble(self._context)
         self._state.decide_draws(draws or {})
-        self._state.decide_spots(spots or {})
+        self._state.decided_spots = {name: list(places) for name, places in (spots or {}).items()}
         self._trackers, self._hits = self._context.trackers, self._state.hits
         self._contacts, self._queue = self._state.contacts, self._context.queue
         self._clock_events = self._context.clock_events

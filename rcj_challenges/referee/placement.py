@@ -35,7 +35,7 @@ class PlacementSpec:
     """How one entity is put somewhere.
 
     Attributes:
-        facing: returns the yaw in rad for a point; gets the board, the entity, the point and the stream.
+        facing: returns the yaw in rad for a point; gets the board, the point and the stream.
         kick: how it rolls away from there; None: it lies still.
     """
 
@@ -112,7 +112,7 @@ class PlacementSpec:
 
     def pose_at(self, board: PlacementBoard, point: Point, rng: random.Random) -> Pose2:
         """Return the pose that the entity has at a point."""
-        yaw = self.facing(board, self.entity, point, rng)
+        yaw = self.facing(board, point, rng)
         return (float32(point[0]), float32(point[1]), float32(yaw))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from functools import partial
 from typing import Any
@@ -191,10 +191,6 @@ class State(RefereeState):
     def undecided(self) -> dict[str, list[Scalar]]:
         """Return of the values that a test decided those that have not come."""
         return {name: list(left) for name, left in self._decided.items() if left}
-
-    def decide_spots(self, decided: Mapping[str, Sequence[tuple[float, float]]]) -> None:
-        """Let a test decide where chance sets spots, each the first times."""
-        self.decided_spots = {name: list(places) for name, places in decided.items()}
 
     def undecided_spots(self) -> dict[str, int]:
         """Return the number of places decided by a test that have not come, by spot."""

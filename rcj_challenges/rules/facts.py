@@ -43,7 +43,7 @@ class Facts(Strict):
     def facts(self, to: Scope) -> tuple[Fact, ...]:
         """Return the tests of the facts that are given."""
         made: tuple[tuple[Any, Callable[[Scope, Any], Fact]], ...] = (
-            (self.in_, _in_zone), (self.touching, _touching), (self.held, _held),
+            (self.in_, _in_zone), (self.touching, _touching), (self.held, lambda scope, _yes: scope.state.held.holds),
             (self.looks, lambda scope, at: looks_at(scope, at, self.within_rad)),
         )  # fmt: skip
         return tuple(make(to, what) for what, make in made if what is not None)
@@ -82,10 +82,6 @@ def _touching(to: Scope, names: Names) -> Fact:
         return state.present[entity] and any(contacts.is_one_contact(pair, apart) for pair in pairs)
 
     return touches
-
-
-def _held(to: Scope, _yes: bool) -> Fact:
-    return to.state.held.holds
 
 
 def looks_at(to: Scope, looks: Any, within_rad: float) -> Fact:

@@ -51,21 +51,18 @@ def compile_facing(facing: Facing, to: Scope, entity: int) -> CompiledFacing:
         case Towards():
             target = to.anchor(facing.towards)
 
-            def towards(board: Board, _entity: int, point: Point, _rng: Random) -> float:
+            def towards(board: Board, point: Point, _rng: Random) -> float:
                 x, y = point_of(target(), board)
-                here = (x, y) == point
-                return start_yaw if here else atan2(y - point[1], x - point[0])
+                return start_yaw if (x, y) == point else atan2(y - point[1], x - point[0])
 
             return towards
         case RandomFacing():
-            return lambda _board, _entity, _point, rng: rng.uniform(-pi, pi)
+            return lambda _board, _point, rng: rng.uniform(-pi, pi)
         case "keep":
-            return lambda _board, whose, _point, _rng: state.poses[whose][2]
-        case "start":
-            return lambda _board, _entity, _point, _rng: start_yaw
+            return lambda _board, _point, _rng: state.poses[entity][2]
         case _:
-            yaw = float(facing)
-            return lambda _board, _entity, _point, _rng: yaw
+            yaw = start_yaw if facing == "start" else float(facing)
+            return lambda _board, _point, _rng: yaw
 
 
 def facing_words(phrases: Phrases, facing: Facing) -> str:
@@ -118,12 +115,10 @@ class Kick(Strict):
     def compile(self, to: Scope, entity: int) -> CompiledKick:
         """Return the compiled aim, and what reads the speed."""
         towards, speed = place_of(self.towards).compile(to, entity), self.speed_mps
-        match speed:
-            case tuple():
-                return CompiledKick(towards, lambda: speed)
-            case _:
-                read = compile_amount(speed, to)
-                return CompiledKick(towards, lambda: _exactly(min(read(NO_FIRING) or 0, MAX_KICK_MPS)))
+        if isinstance(speed, tuple):
+            return CompiledKick(towards, lambda: speed)
+        read = compile_amount(speed, to)
+        return CompiledKick(towards, lambda: _exactly(min(read(NO_FIRING) or 0, MAX_KICK_MPS)))
 
     def describe(self, phrases: Phrases) -> str:
         """Return its speed and its aim in words: ``at 0.5 m/s towards the ball``."""

@@ -85,8 +85,8 @@ class CompiledKick:
     speeds_mps: Callable[[], tuple[float, float]]
 
 
-CompiledFacing = Callable[[Board, int, Point, random.Random], float]
-"""Returns the yaw in rad for the board, the entity, the point and the stream."""
+CompiledFacing = Callable[[Board, Point, random.Random], float]
+"""Returns the yaw in rad of an entity for the board, the point and the stream."""
 
 
 @dataclass(frozen=True)
