@@ -71,12 +71,10 @@ def crew_rounds(folder: Path, source: str, ticks: int, rounds: int, *, portable:
     """Return the seconds from launch to the first requests of all six, and µs a tick of each round."""
     (folder / "robot.py").write_text(source, encoding="utf-8")
     costs = []
-    with (
-        open_team(folder / "robot.py") as team,
-        ProgramPool(PoolPlan(Limits(), 1, 1, folder / "logs", portable=portable)) as pool,
-    ):
+    team = open_team(folder / "robot.py")
+    with ProgramPool(PoolPlan(Limits(), 1, 1, folder / "logs", portable=portable)) as pool:
         began = time.perf_counter()
-        programs = [pool.add(spec(name), team, team.entry_for(name, "robot.py")) for name in ROBOTS]
+        programs = [pool.add(spec(name), team, team.single) for name in ROBOTS]
         pool.launch()
         for program in programs:
             program.collect()

@@ -24,7 +24,7 @@ class Inspection:
 
     Attributes:
         stages: archive, layout, identity.
-        team: the team, opened as a match opens it; None if it cannot play. It need not be closed, only may be.
+        team: the team, opened as a match opens it; None if it cannot play.
         logo: the logo as a PNG without anything that a picture does not need; None without one that may be shown.
         seats: the entrants whose robots it was checked for.
         opening: the result of opening it.
