@@ -132,7 +132,7 @@ def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out
             job = by_seed.get(result["seed"]) if is_usable and not result["marks"] else None
             if job is not None and result["inputs"] == inputs_digest(loaded.scenario, job.seed, programs):
                 found[job.seed] = Outcome(job, {**result, "folder": str(path.parent)})
-        except (OSError, RecordError, ValueError, KeyError, TypeError):
+        except (RecordError, ValueError, KeyError, TypeError):
             continue  # a record that is damaged, or of another version
     return found
 

@@ -75,8 +75,7 @@ def read_chunks(path: Path) -> Chunks:
     """Read a file of chunks, as far as possible.
 
     Raises:
-        RecordError: it is too large, of another version, or not a file of chunks.
-        OSError: it cannot be read.
+        RecordError: it cannot be read, is too large, of another version, or not a file of chunks.
     """
     data = read_file(path, MAX_FILE_BYTES)
     end = data.find(b"\n") + 1
@@ -90,20 +89,18 @@ def read_chunks(path: Path) -> Chunks:
         raise RecordError.damaged(what) from error
     check_version(version, path.parent.name)
     chunks: list[tuple[dict[str, Any], bytes]] = []
-    is_cut_off = is_damaged = False
     left_bytes = MAX_FILE_BYTES
-    while end < len(data) and not (is_cut_off or is_damaged):
+    while end < len(data):
         magic, size = _HEAD.unpack_from(data, end) if len(data) - end >= _HEAD.size else (_MAGIC, len(data))
         begin, end = end + _HEAD.size, end + _HEAD.size + size
-        is_damaged = magic != _MAGIC
-        is_cut_off = not is_damaged and end > len(data)
-        chunk = None if is_damaged or is_cut_off else _unpacked(memoryview(data)[begin:end], left_bytes)
-        if chunk is not None:
-            chunks.append(chunk)
-            left_bytes = max(1, left_bytes - len(chunk[1]))  # 0 would be no limit
-        else:
-            is_damaged = not is_cut_off
-    return Chunks(header, tuple(chunks), is_cut_off, is_damaged)
+        is_cut_off = magic == _MAGIC and end > len(data)
+        is_whole = magic == _MAGIC and not is_cut_off
+        chunk = _unpacked(memoryview(data)[begin:end], left_bytes) if is_whole else None
+        if chunk is None:
+            return Chunks(header, tuple(chunks), is_cut_off, is_damaged=not is_cut_off)
+        chunks.append(chunk)
+        left_bytes = max(1, left_bytes - len(chunk[1]))  # 0 would be no limit
+    return Chunks(header, tuple(chunks))
 
 
 def _unpacked(data: memoryview, max_bytes: int) -> tuple[dict[str, Any], bytes] | None:

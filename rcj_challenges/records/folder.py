@@ -61,18 +61,23 @@ def read_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes:
     Records are untrusted: a named pipe in place of a file would block for ever, a device might never end.
 
     Raises:
-        RecordError: it is a pipe or a device, or too large.
-        OSError: it is missing, a folder, or cannot be read.
+        RecordError: it is missing, cannot be read, is a pipe or a device, or is too large.
     """
-    with open_without_waiting(path) as file:
-        found = os.fstat(file.fileno())
-        if stat.S_ISREG(found.st_mode) and found.st_size <= max_bytes:
-            return file.read(found.st_size)  # a number, because it may grow meanwhile
+    name = f"{path.parent.name}: {path.name}"
+    try:
+        with open_without_waiting(path) as file:
+            found = os.fstat(file.fileno())
+            if stat.S_ISREG(found.st_mode) and found.st_size <= max_bytes:
+                return file.read(found.st_size)  # a number, because it may grow meanwhile
+    except FileNotFoundError:
+        help_ = "give the folder of a record, with all its files"
+        raise RecordError(codes.RECORD_INCOMPLETE, f"{name} is missing", help_) from None
+    except OSError as error:
+        raise RecordError(codes.RECORD_UNREADABLE, f"{name} cannot be read: {format_error(error)}") from error
     if stat.S_ISREG(found.st_mode):
-        message = f"{path.parent.name}: {path.name} has {found.st_size / 1e6:.0f} MB, more than {max_bytes / 1e6:.0f}"
+        message = f"{name} has {found.st_size / 1e6:.0f} MB, more than {max_bytes / 1e6:.0f}"
         raise RecordError(codes.RECORD_TOO_LARGE, message, "no run writes such a file: copy the whole record again")
-    message = f"{path.parent.name}: {path.name} is a pipe or a device, not a file"
-    raise RecordError(codes.RECORD_NOT_A_FILE, message, COPY_AGAIN)
+    raise RecordError(codes.RECORD_NOT_A_FILE, f"{name} is a pipe or a device, not a file", COPY_AGAIN)
 
 
 def write_all(file: Any, pending: bytearray) -> None:

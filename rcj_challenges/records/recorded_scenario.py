@@ -6,9 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.core.amounts import HALF
-from rcj_challenges.core.errors import format_error
-from rcj_challenges.records.codes import RECORD_INCOMPLETE, RECORD_UNREADABLE
-from rcj_challenges.records.errors import COPY_AGAIN, RecordError
+from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, UNRESOLVED, read_file
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.scenario.errors import ScenarioError, place_of
@@ -19,7 +17,7 @@ def read_scenario(folder: Path) -> Scenario:
     """Return the scenario as it was played.
 
     Raises:
-        RecordError: it is missing, damaged, or not a scenario that could have been played.
+        RecordError: it cannot be read, is damaged, or is not a scenario that could have been played.
     """
     from rcj_challenges.scenario.load import load_resolved  # noqa: PLC0415 - it brings YAML, which writing does not need
 
@@ -28,11 +26,6 @@ def read_scenario(folder: Path) -> Scenario:
         if not isinstance(data, dict):
             raise TypeError("not an object")
         return load_resolved(data).scenario
-    except FileNotFoundError:
-        raise RecordError(RECORD_INCOMPLETE, f"{folder.name}: {SCENARIO} is missing", COPY_AGAIN) from None
-    except OSError as error:
-        message = f"{folder.name}: {SCENARIO} cannot be read: {format_error(error)}"
-        raise RecordError(RECORD_UNREADABLE, message) from error
     except ScenarioError as error:
         first = error.diagnostics[0]
         what = f"{place_of(first).path}: {first.message}" if place_of(first).path else first.message
@@ -46,7 +39,7 @@ def read_period(path: Path) -> str:
     try:
         called = parsed(read_file(path))["match"]["called"]
         return str(called if isinstance(called, str) else called[0])
-    except (OSError, ValueError, TypeError, LookupError, RecursionError, RecordError):
+    except (ValueError, TypeError, LookupError, RecursionError, RecordError):
         return HALF.one
 
 
@@ -54,6 +47,6 @@ def read_unresolved(folder: Path) -> dict[str, Any]:
     """Return the scenario before its params took their places; empty if the record has none, or a damaged one."""
     try:
         data = parsed(read_file(folder / UNRESOLVED))
-    except (OSError, ValueError, RecursionError, RecordError):
+    except (ValueError, RecursionError, RecordError):
         return {}
     return data if isinstance(data, dict) else {}

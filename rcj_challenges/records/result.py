@@ -12,8 +12,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rcj_challenges.core.amounts import Score
-from rcj_challenges.core.errors import format_error
-from rcj_challenges.records.codes import RECORD_INCOMPLETE, RECORD_UNREADABLE
+from rcj_challenges.records.codes import RECORD_UNREADABLE
 from rcj_challenges.records.errors import COPY_AGAIN, RecordError
 from rcj_challenges.records.folder import RESULT, check_version, read_file
 from rcj_challenges.records.lines import parsed
@@ -202,12 +201,8 @@ def read_result(folder: Path) -> RunResult:
     """
     try:
         data = parsed(read_file(folder / RESULT))
-    except FileNotFoundError:
-        message = f"{folder.name}: no record of a run ({RESULT} is missing)"
-        raise RecordError(RECORD_INCOMPLETE, message, "give the folder of a record") from None
-    except (OSError, ValueError) as error:
-        message = f"{folder.name}: {RESULT} cannot be read: {format_error(error)}"
-        raise RecordError(RECORD_UNREADABLE, message, COPY_AGAIN) from error
+    except ValueError as error:
+        raise RecordError(RECORD_UNREADABLE, f"{folder.name}: {RESULT} cannot be read: {error}", COPY_AGAIN) from error
     record = data.get("record") if isinstance(data, dict) else None
     if type(record) is int:
         check_version(record, folder.name)

@@ -43,7 +43,7 @@ FLOATS_PER_PACKET = 4
 _ZLIB_LEVEL = 1
 _NO_PACKET = (math.nan,) * FLOATS_PER_PACKET
 
-DAMAGE = (OSError, ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, MemoryError)
+DAMAGE = (ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, MemoryError)
 """Exceptions of json, numpy and arithmetic on an invalid file."""
 
 Array = npt.NDArray[Any]
@@ -154,17 +154,13 @@ class _Rows:
         self._rows += row
         return row
 
-    def take(self) -> tuple[int, bytes]:
-        """Return number and bytes of the rows, column by column, and forget them."""
+    def take(self) -> tuple[int, bytes, list[Picture]]:
+        """Return and forget the rows, as number and bytes column by column, and the packets of cameras, by camera."""
         count = len(self._rows) // self._bytes_per_row
         planes = np.frombuffer(bytes(self._rows), np.uint8).reshape(count, self._bytes_per_row).T.tobytes()
         self._rows.clear()
-        return count, planes
-
-    def take_pictures(self) -> list[Picture]:
-        """Return the packets of cameras, those of one camera after each other, and forget them."""
         pictures, self._pictures = sorted(self._pictures, key=lambda one: one[1]), []
-        return pictures
+        return count, planes, pictures
 
 
 class SensorWriter:
@@ -223,12 +219,14 @@ class SensorWriter:
 
     def _write(self) -> None:
         parts = [rows.take() for rows in self._rows]
-        pictures = [(robot, *picture) for robot, rows in enumerate(self._rows) for picture in rows.take_pictures()]
-        if not self._is_full and (self._output or any(count for count, _ in parts)):
-            head = {"rows": [count for count, _ in parts], "output": self._output}
+        pictures = [(robot, *picture) for robot, (_, _, taken) in enumerate(parts) for picture in taken]
+        if not self._is_full and (self._output or any(count for count, _, _ in parts)):
+            head = {"rows": [count for count, _, _ in parts], "output": self._output}
             if pictures:
                 head["pictures"] = [(robot, tick, number, len(data)) for robot, tick, number, data in pictures]
-            chunk = self._file.pack(head, b"".join([*(planes for _, planes in parts), *(one[3] for one in pictures)]))
+            chunk = self._file.pack(
+                head, b"".join([*(planes for _, planes, _ in parts), *(one[3] for one in pictures)])
+            )
             if self._file.size_bytes + len(chunk) > MAX_BYTES_A_HALF:
                 self._is_full = True
                 full_at = max((rows.tick for rows in self._rows), default=0)

@@ -20,11 +20,10 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import TypeAdapter
 
-from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.play import Fault, HalfInfo, Placement, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
-from rcj_challenges.records.codes import RECORD_DAMAGED, RECORD_INCOMPLETE, RECORD_UNREADABLE
+from rcj_challenges.records.codes import RECORD_DAMAGED
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY
 from rcj_challenges.records.result import read_result
@@ -257,13 +256,7 @@ class Trajectory:
             RecordError: there is none, or it is foreign, or of another version.
         """
         result = read_result(folder)
-        try:
-            found = read_chunks(folder / TRAJECTORY)
-        except FileNotFoundError:
-            raise RecordError(RECORD_INCOMPLETE, f"{folder.name}: {TRAJECTORY} is missing") from None
-        except OSError as error:
-            message = f"{folder.name}: {TRAJECTORY} cannot be read: {format_error(error)}"
-            raise RecordError(RECORD_UNREADABLE, message) from error
+        found = read_chunks(folder / TRAJECTORY)
         try:
             header = found.header
             entities = tuple(map(str, header["entities"]))

@@ -43,7 +43,7 @@ def publish_cards(tree: Tree, season: Season, team: str) -> list[RobotCard]:
         if f"design_{seat}_".encode() not in read_file(record / SCENARIO):  # to read all of it takes longer
             return []
         scenario = read_scenario(record)
-    except (OSError, RecordError):
+    except RecordError:
         return []  # the page of the match is without its replay then
     entrant = scenario.entrants[seat]
     guideline = scenario.guidelines.get(entrant.design or "")

@@ -135,5 +135,5 @@ def _score(folder: Path, result: RunResult) -> Mapping[str, Score]:
         return result.score
     try:
         return score_so_far(result, read_scenario(folder), read_referee_log(folder))
-    except (RecordError, OSError):
+    except RecordError:
         return result.score
