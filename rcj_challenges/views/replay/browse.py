@@ -6,6 +6,7 @@ import os
 import sys
 import webbrowser
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -54,16 +55,15 @@ def find_run(run: Path | None, out: Path) -> Path:
         RecordError: there is none, or the beginning fits several.
     """
     if run is None:
-        folders = _folders(out) if _is_folder(out) else []
-        if not folders:
-            raise RecordError(NO_RECORD, f"no run was recorded in {sanitize(out)} yet", _RUN)
-        return folders[0]
+        if folders := _folders(out):
+            return folders[0]
+        raise RecordError(NO_RECORD, f"no run was recorded in {sanitize(out)} yet", _RUN)
     # In the folder of a record, the name of another one is no file of this one.
     in_it = [run.parent] if len(run.parts) > 1 or os.path.lexists(run) else []
     for folder in (run, *in_it, out / run):
         if _is_record(folder):
             return folder if folder.name not in ("", "..") else folder.resolve()  # which has a name
-    fitting = [folder for folder in _folders(out) if folder.name.startswith(run.name)] if _is_folder(out) else []
+    fitting = [folder for folder in _folders(out) if folder.name.startswith(run.name)]
     if len(fitting) == 1:
         return fitting[0]
     if fitting:
@@ -117,8 +117,10 @@ def _is_record(folder: Path) -> bool:
 
 
 def _folders(out: Path) -> list[Path]:
-    """Return the records' folders, the newest first: names begin with the time."""
-    return sorted(filter(_is_record, out.iterdir()), key=lambda path: path.name, reverse=True)
+    """Return the records' folders, the newest first: names begin with the time; none if there is no such folder."""
+    return sorted(
+        filter(_is_record, out.iterdir() if _is_folder(out) else ()), key=lambda path: path.name, reverse=True
+    )
 
 
 def _row(folder: Path) -> RunRow:
@@ -126,14 +128,8 @@ def _row(folder: Path) -> RunRow:
         result = read_result(folder)
     except RecordError as error:
         return RunRow(folder, None, error.message)
-    return RunRow(folder, result, score=_score(folder, result))
-
-
-def _score(folder: Path, result: RunResult) -> Mapping[str, Score]:
-    """Return the points of a record; those of whole halves where only they can be read."""
-    if result.complete:
-        return result.score
-    try:
-        return score_so_far(result, read_scenario(folder), read_referee_log(folder))
-    except RecordError:
-        return result.score
+    score = result.score  # of whole halves, where only they can be read
+    if not result.complete:
+        with suppress(RecordError):
+            score = score_so_far(result, read_scenario(folder), read_referee_log(folder))
+    return RunRow(folder, result, score=score)
