@@ -24,19 +24,20 @@ _OPPOSITE = {"below": "at_least", "above": "at_most"}
 _YET = " yet: a rule made it true in that tick, which other rules see one tick later, like an emitted event"
 
 
-def denied_condition_notes(
-    denied: Denied,
-    scenario: Scenario,
-    lacks: Lacks,
-    fired: Container[str],
-) -> Iterable[str]:
-    """Return notes on rules that never fired but would have changed what differs from the expectations."""
-    noted = 0
-    for name, ticks in denied.items():
-        rule = scenario.rules[name]
-        if not _gives(name, rule, lacks) or name in fired or noted == _MAX_NOTES:
-            continue
-        noted += 1
+def silent_rules(scenario: Scenario, lacks: Lacks, fired: Container[str]) -> dict[str, Rule]:
+    """Return the rules that never fired, but would have given something of what a test lacks."""
+    return {
+        name: rule
+        for name, rule in scenario.rules.items()
+        if name not in fired
+        and (("event", f"rule {name}") in lacks or any(_changes(one, lacks) for one in rule.all_effects()))
+    }
+
+
+def denied_condition_notes(denied: Denied, silent: Mapping[str, Rule], lacks: Lacks) -> Iterable[str]:
+    """Return notes on `silent_rules` of which a condition did not hold."""
+    for name, ticks in [named for named in denied.items() if named[0] in silent][:_MAX_NOTES]:
+        rule = silent[name]
         given = [("event", one) for one in (f"rule {name}", *(emits.event for emits in rule.effects(effects.Emits)))]
         tick = _nearest(ticks, next((lacks[one] for one in given if one in lacks), None))
         condition, held_after = ticks[tick]
@@ -45,9 +46,7 @@ def denied_condition_notes(
         yield f"note: {name} was triggered at {s_from_ticks(tick):g} s, and {which} did not hold{yet}"
 
 
-def missed_notes(
-    missed: Iterable[tuple[str, Missed]], scenario: Scenario, lacks: Lacks, fired: Container[str]
-) -> Iterable[str]:
+def missed_notes(missed: Iterable[tuple[str, Missed]], scenario: Scenario, silent: Container[str]) -> Iterable[str]:
     """Return notes on what set off no rule, by entity: it is no entry, the other direction, or held already.
 
     A rule that waits for a condition to come true, beside one that waits for the opposite, is meant for changes.
@@ -66,7 +65,7 @@ def missed_notes(
             noted.add((note, one.kind))
             continue
         for name in rules:
-            if (name, one.kind) in noted or name in fired or not _gives(name, scenario.rules[name], lacks):
+            if (name, one.kind) in noted or name not in silent:
                 continue
             noted.add((name, one.kind))
             if one.kind == "placed":
@@ -92,11 +91,6 @@ def _watched(trigger: Trigger) -> tuple[str, bool]:
     if len(bounds) == 1 and (opposite := _OPPOSITE.get(next(iter(bounds)))):
         data[opposite], is_so = data.pop(next(iter(bounds))), not is_so
     return repr(sorted(data.items())), is_so
-
-
-def _gives(name: str, rule: Rule, lacks: Lacks) -> bool:
-    """Return whether a rule that fires gives something of what a test lacks."""
-    return ("event", f"rule {name}") in lacks or any(_changes(one, lacks) for one in rule.all_effects())
 
 
 def _as_written(condition: Condition) -> str:

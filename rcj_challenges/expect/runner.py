@@ -12,7 +12,7 @@ from rcj_challenges.core.amounts import counted, number_words, round_score, time
 from rcj_challenges.core.play import Event, HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.compare import Difference, difference, event_differences, sent_difference
-from rcj_challenges.expect.denied import Lacks, denied_condition_notes, has_kind, missed_notes
+from rcj_challenges.expect.denied import Lacks, denied_condition_notes, has_kind, missed_notes, silent_rules
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.carry_over import CarryOver
 from rcj_challenges.referee.engine import Referee
@@ -102,12 +102,13 @@ def _play(
     fired = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed is None)
     differences = [*_differences(match, scenario, expected), *_unsettled(match)]
     lacks = {one.lacks: one.at_s for one in reversed(differences) if one.lacks}
+    silent = silent_rules(scenario, lacks, fired)
     notes = (
         (
             *_no_room(match),
             *_not_drawn(match, expected),
-            *missed_notes(match.referee.missed, scenario, lacks, fired),
-            *denied_condition_notes(match.referee.rounds.denied or {}, scenario, lacks, fired),
+            *missed_notes(match.referee.missed, scenario, silent),
+            *denied_condition_notes(match.referee.rounds.denied or {}, silent, lacks),
             *_early_end_notes(match, scenario, expected, lacks),
             *_course(match, lacks),
         )
