@@ -96,18 +96,11 @@ class _RunCounter:
         for index in range(self._roster.robots):
             tally = self.robot(number, names[index])
             tally.ball_ticks += ball_ticks
-            _add_motion(tally, motion, play, index)
-            self._add_sides(tally, motion, play, index)
+            own = own_end(self._ends.get(self._seat_of.get(names[index], ""), frozenset()))
+            _add_motion(tally, motion, play, index, own)
         for index in range(self._roster.robots, self._roster.robots + self._roster.balls):
             _add_motion(self._stats.balls.setdefault(names[index], Tally()), motion, play, index)
         self._add_balls(half, motion, play)
-
-    def _add_sides(self, tally: Tally, motion: Motion, play: Any, index: int) -> None:
-        own = own_end(self._ends.get(self._seat_of.get(self._roster.entities[index], ""), frozenset()))
-        if own is not None:
-            counted = play & motion.on_field[:, index]
-            tally.sided_ticks += int(counted.sum())
-            tally.own_half_ticks += int((counted & (own * motion.places[:, index, 1] > 0)).sum())
 
     def _add_balls(self, half: HalfTrack, motion: Motion, play: Any) -> None:
         roster, number = self._roster, half.info.half
@@ -135,12 +128,16 @@ class _RunCounter:
         calls[event.name] += 1
 
 
-def _add_motion(tally: Tally, motion: Motion, play: Any, index: int) -> None:
+def _add_motion(tally: Tally, motion: Motion, play: Any, index: int, own: int | None = None) -> None:
+    """Add the motion of an entity; ``own`` is the end that its team defends, None: both or none."""
     counted = play & motion.on_field[:, index]
     tally.field_ticks += int(counted.sum())
     tally.distance_m += float(motion.steps_m[counted, index].sum())
     if counted.any():
         tally.fastest_mps = max(tally.fastest_mps, float(np.max(motion.steps_m[counted, index])) / TICK_S)
+    if own is not None:
+        tally.sided_ticks += int(counted.sum())
+        tally.own_half_ticks += int((counted & (own * motion.places[:, index, 1] > 0)).sum())
 
 
 def _in_play(ticks: list[int], play: Any) -> int:
