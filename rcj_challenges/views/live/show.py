@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import errno
+import math
 import secrets
 import threading
+import time
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -97,13 +99,11 @@ class LiveShow:
 
     def linger(self, seconds: float | None) -> None:
         """Go on serving for so long, or (None) until Ctrl-C."""
-        left_s = seconds
+        until_s = math.inf if seconds is None else time.monotonic() + seconds
         with suppress(KeyboardInterrupt):
-            while left_s is None or left_s > 0:
+            while (left_s := until_s - time.monotonic()) > 0:
                 # In slices: on some systems a long wait cannot be interrupted.
-                beat_s = _BEAT_S if left_s is None else min(_BEAT_S, left_s)
-                self._ended.wait(beat_s)
-                left_s = None if left_s is None else left_s - beat_s
+                self._ended.wait(min(_BEAT_S, left_s))
 
     def close(self) -> None:
         """Close all connections. Can be called again."""
