@@ -57,10 +57,10 @@ def publish_cards(tree: Tree, season: Season, team: str) -> list[RobotCard]:
     verdict = Verdict(guideline, designs, tuple(names[kit] for kit in entrant.kits))
     drawn = {name: design_card(verdict, name) for name in designs}
     files = {name: f"{slug(team)}.{number}.svg" for number, name in enumerate(drawn, 1)}
-    for name, card in drawn.items():
-        tree.write(f"teams/{files[name]}", card.picture)
+    for name, (picture, _) in drawn.items():
+        tree.write(f"teams/{files[name]}", picture)
     return [
-        RobotCard(number, name, points_words(verdict, name), files[name], drawn[name].lines)
+        RobotCard(number, name, points_words(verdict, name), files[name], drawn[name][1])
         for number, name in enumerate(verdict.robots, 1)
     ]
 

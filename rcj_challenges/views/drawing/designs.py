@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from rcj_challenges.chassis.base import Chassis, WheelName, wheel_words
 from rcj_challenges.core.play import Pose2
@@ -29,18 +28,6 @@ _BODY = 'fill="#ced4da" stroke="#212529"'
 _DARK = 'fill="#212529"'
 
 
-class Card(NamedTuple):
-    """A design by itself, without the frame that a drawing of several has around it.
-
-    Attributes:
-        picture: an SVG document with numbered markers.
-        lines: what is in it, with prices; the markers have the numbers of their lines.
-    """
-
-    picture: str
-    lines: list[Entry]
-
-
 def draw_designs(team: str, verdict: Verdict) -> str:
     """Return the drawing as an SVG document: a row for each design, and on the right what is in it, with prices.
 
@@ -57,11 +44,11 @@ def draw_designs(team: str, verdict: Verdict) -> str:
     return paper.svg(f"Robots of {team}", sections, shown="designs")
 
 
-def design_card(verdict: Verdict, name: str) -> Card:
-    """Return one design of a verdict."""
+def design_card(verdict: Verdict, name: str) -> tuple[str, list[Entry]]:
+    """Return one design of a verdict as an SVG document, and what is in it; markers have the numbers of their lines."""
     paper = _paper([verdict.designs[name].chassis], verdict.guideline)
     lines = _draw(paper, verdict, name, 0)
-    return Card(paper.svg(name, shown="design"), lines)
+    return paper.svg(name, shown="design"), lines
 
 
 def points_words(verdict: Verdict, name: str) -> str:
