@@ -200,15 +200,11 @@ def _kept(scenario: Scenario, roster: Roster, given: Given, kept: Mapping[str, A
     presets: tuple[tuple[str, Mapping[str, Counter | Flag], Mapping[str, Any]], ...] = (
         ("counters", scenario.counters, given.counters), ("flags", scenario.flags, given.flags),
     )  # fmt: skip
-    return (
-        dict(kept)
-        | {"draws": kept.get("draws", {}) | roles}
-        | {
-            section: kept.get(section, {})
-            | {name: _preset(entries[name], value, roster) for name, value in preset.items()}
-            for section, entries, preset in presets
-        }
-    )
+    found = {**kept, "draws": kept.get("draws", {}) | roles}
+    for section, entries, preset in presets:
+        own = {name: _preset(entries[name], value, roster) for name, value in preset.items()}
+        found[section] = kept.get(section, {}) | own
+    return found
 
 
 def _preset(entry: Counter | Flag, value: Any, roster: Roster) -> Any:
