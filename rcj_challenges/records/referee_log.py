@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import groupby, product
 from pathlib import Path
+from types import NoneType
 from typing import Any
 
 from rcj_challenges.core.amounts import Score, counted
@@ -166,32 +167,34 @@ def _entry(line: Any) -> Entry:
     tick = _whole(line["tick"], 0)
     match line["kind"]:
         case "event":
-            return Event(tick, _text(line["event"]), _mapping(line["payload"]))
+            return Event(tick, _typed(line["event"], str), _typed(line["payload"], dict))
         case "firing":
-            copy = _text(line.get("copy", ""))
+            copy = _typed(line.get("copy", ""), str)
             return Firing(
                 tick=tick,
-                rule=f"{_text(line['rule'])}_{copy}" if copy else _text(line["rule"]),
-                entity=_text_or_none(line.get("entity")),
-                trigger=_text(line["trigger"]),
+                rule=f"{_typed(line['rule'], str)}_{copy}" if copy else _typed(line["rule"], str),
+                entity=_typed(line.get("entity"), str, NoneType),
+                trigger=_typed(line["trigger"], str),
                 measured=_number_or_none(line.get("measured")),
                 limit=_number_or_none(line.get("limit")),
                 scored=_points(line["scored"]),
-                suppressed=_text_or_none(line.get("suppressed")),
-                says=_text(line.get("says", "")),
-                other=_text_or_none(line.get("other")),
-                place=_text_or_none(line.get("place")),
+                suppressed=_typed(line.get("suppressed"), str, NoneType),
+                says=_typed(line.get("says", ""), str),
+                other=_typed(line.get("other"), str, NoneType),
+                place=_typed(line.get("place"), str, NoneType),
                 settling=_whole(line.get("pass", 0), 0),
                 copy=copy,
             )
         case "phase":
-            return PhaseChange(tick, _text(line["phase"]), bool(line["waiting_for_kickoff"]))
+            return PhaseChange(tick, _typed(line["phase"], str), bool(line["waiting_for_kickoff"]))
         case "score":
             return ScoreChange(tick, _points(line["scores"]))
         case "counted":
-            return CountersChange(tick, {name: _counter(value) for name, value in _mapping(line["counters"]).items()})
+            return CountersChange(
+                tick, {name: _counter(value) for name, value in _typed(line["counters"], dict).items()}
+            )
         case "held":
-            return HeldChange(tick, tuple(map(_text, line["robots"])))
+            return HeldChange(tick, tuple(_typed(robot, str) for robot in line["robots"]))
     raise ValueError("a line of another kind")
 
 
@@ -201,19 +204,10 @@ def _whole(value: Any, least: int) -> int:
     return value
 
 
-def _text(value: Any) -> str:
-    if not isinstance(value, str):
-        raise TypeError("not a text")
-    return value
-
-
-def _text_or_none(value: Any) -> str | None:
-    return None if value is None else _text(value)
-
-
-def _mapping(value: Any) -> dict[str, Any]:
-    if not isinstance(value, dict):
-        raise TypeError("not a mapping")
+def _typed(value: Any, *kinds: type) -> Any:
+    """Return a value of one of these kinds; raise TypeError for another."""
+    if not isinstance(value, kinds):
+        raise TypeError("a value of another kind")
     return value
 
 
@@ -230,5 +224,5 @@ def _counter(value: Any) -> Score | dict[str, Score | None] | None:
 
 
 def _points(value: Any) -> dict[str, Score]:
-    points = {seat: _number_or_none(number) for seat, number in _mapping(value).items()}
+    points = {seat: _number_or_none(number) for seat, number in _typed(value, dict).items()}
     return {seat: number for seat, number in points.items() if number is not None}
