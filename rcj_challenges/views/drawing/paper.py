@@ -141,19 +141,16 @@ class Paper:
     def _with_markers(self) -> list[str]:
         """Return all elements, with each marker at its place or at the nearest one around it that is free."""
         placed: list[tuple[Point, float]] = []
-        leaders: list[str] = []
+        leaders, markers = list[str](), list[str]()
         for marker in self._markers:
             half_px = _half_width_px(marker.number)
             candidates = [self._inside(place) for place in _places(marker)]
             x, y = next((at for at in candidates if self._is_free(at, half_px, placed)), candidates[0])
             placed.append(((x, y), half_px))
+            markers.append(_marker(x, y, marker.number, marker.colour, marker.name))
             x2, y2 = self._inside(marker.at_px)
             if math.dist((x, y), (x2, y2)) > _LEADER_FROM_PX:
                 leaders.append(f'<line class="leader" x1="{x:.1f}" y1="{y:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"/>')
-        markers = [
-            _marker(x, y, marker.number, marker.colour, marker.name)
-            for marker, ((x, y), _) in zip(self._markers, placed, strict=True)
-        ]
         return self._elements + leaders + markers
 
     def _is_free(self, at: Point, half_px: float, placed: Sequence[tuple[Point, float]]) -> bool:
