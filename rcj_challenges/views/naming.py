@@ -22,9 +22,8 @@ def changes_sides(scenario: Scenario) -> bool:
 
 def seat_colours(scenario: Scenario) -> dict[str, str]:
     """Return by seat the colour of its first robot as the scenario has it; seats without robots are left out."""
-    robots = scenario.robots
-    owned = {seat: [one for one in entrant.robots if one in robots] for seat, entrant in scenario.entrants.items()}
-    return {seat: robots[names[0]].colour for seat, names in owned.items() if names}
+    first = {seat: next(iter(entrant.robots)) for seat, entrant in scenario.entrants.items() if entrant.robots}
+    return {seat: scenario.robots[robot].colour for seat, robot in first.items()}
 
 
 def titles(scenario: Scenario, result: RunResult) -> dict[str, str]:

@@ -14,7 +14,7 @@ from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.kits import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, outline_of
-from rcj_challenges.scenario.roster import Roster, with_each
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.shapes import (
     FORWARD_M,
@@ -245,7 +245,7 @@ def _measured(scenario: Scenario, roster: Roster) -> Iterator[tuple[float, str, 
             if not isinstance(origin, str):
                 yield radius_m, "", origin
                 continue
-            spots = (name for name in roster.may_be(with_each(origin, rule.for_each)) if name in scenario.spots)
+            spots = (name for name in roster.may_be(origin, rule) if name in scenario.spots)
             yield from ((radius_m, name, (scenario.spots[name].x_m, scenario.spots[name].y_m)) for name in spots)
 
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rcj_challenges.rules.effects import Entry, Scores
-from rcj_challenges.rules.fields import Names
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import Roster, with_each
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.shapes import visible_outline
 
 _AT_THE_END = 0.9
@@ -54,8 +53,8 @@ def goal_widths(field: FieldModel) -> Mapping[int, float]:
 def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
     balls, ends = set(scenario.balls), set()
     for entry in rule.moments(Entry):
-        if balls & set(_members(entry.entity, rule, roster)):
-            for name in _members(entry.zone, rule, roster):
+        if balls & set(roster.may_be(entry.entity, rule)):
+            for name in roster.may_be(entry.zone, rule):
                 zone = scenario.zones.get(name)
                 ys = [y for _, y in visible_outline(zone, scenario.field, _EVERYWHERE)] if zone is not None else []
                 if ys and abs(sum(ys) / len(ys)) > _AT_THE_END * scenario.field.length_m / 2:
@@ -63,16 +62,12 @@ def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
     return ends
 
 
-def _members(names: Names, rule: Rule, roster: Roster) -> tuple[str, ...]:
-    return roster.may_be(with_each(names, rule.for_each))
-
-
 def _by_start(scenario: Scenario) -> dict[str, set[int]]:
     if len(scenario.entrants) != 2:
         return {seat: set(goal_widths(scenario.field)) for seat in scenario.entrants}
     starts = {}
     for seat, entrant in scenario.entrants.items():
-        ys = [scenario.robots[robot].start.y_m for robot in entrant.robots if robot in scenario.robots]
+        ys = [scenario.robots[robot].start.y_m for robot in entrant.robots]
         starts[seat] = sum(ys) / len(ys) if ys else 0.0
     (first, first_y), (second, second_y) = starts.items()
     if first_y * second_y >= 0:
