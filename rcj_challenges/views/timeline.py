@@ -13,6 +13,7 @@ from typing import Any
 
 from rcj_challenges.core.amounts import Score, round_score
 from rcj_challenges.core.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo
 from rcj_challenges.records.referee_log import RefereeLog
 from rcj_challenges.records.reflog import PROGRAM_FAULT
@@ -113,10 +114,9 @@ class TimelineBuilder:
 
         Returns what was added to the timeline; points without an event come last.
         """
-        before, news = self._score, Changes()
-        for name, row in self._rows(changes):
-            news.setdefault(name, []).append(row)
-            self._half.changes[name].append(row)
+        before, news = self._score, grouped(self._rows(changes))
+        for name, rows in news.items():
+            self._half.changes[name] += rows
         ran = [firing for firing in firings if firing.suppressed is None]
         self._add_up(before, ran)
         found = [*self._joined(events, ran, {fault.robot: fault for fault in faults}), *self._points(ran)]
@@ -151,10 +151,7 @@ class TimelineBuilder:
         self, events: Iterable[Event], firings: Iterable[Firing], faults: Mapping[str, Fault]
     ) -> Iterator[TimelineEvent]:
         """Yield events with their causes: an event takes the first firing that emits it and is not taken yet."""
-        waiting: dict[str, list[Firing]] = {}
-        for firing in firings:
-            for name in self._emitted.get(firing.rule, ()):
-                waiting.setdefault(name, []).append(firing)
+        waiting = grouped((name, firing) for firing in firings for name in self._emitted.get(firing.rule, ()))
         taken: list[Firing] = []
         for event in events:
             causes = waiting.get(event.name)

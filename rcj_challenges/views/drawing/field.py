@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import Point, box, turned
 from rcj_challenges.rules.base import Word
@@ -189,9 +190,8 @@ def _placement_areas(
     paper: Paper, scenario: Scenario, roster: Roster, poses: dict[str, Pose2 | None]
 ) -> Iterator[Entry]:
     """Draw where rules put things. Places of the same things have the same number."""
-    places: dict[tuple[str, bool], list[Area]] = {}
-    for area, things in placement_areas(scenario, roster).items():
-        places.setdefault((", ".join(things), area.is_aim), []).append(area)
+    areas_of = placement_areas(scenario, roster).items()
+    places = grouped(((", ".join(things), area.is_aim), area) for area, things in areas_of)
     for (names, is_aim), areas in places.items():
         # What stands there when a half begins is drawn there anyway.
         pose = poses.get(names)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 
 from rcj_challenges.core.amounts import Noun
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.rules.effects import PlacesLayout
@@ -93,9 +94,7 @@ def _scoring(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[Table]:
     rows: dict[str, dict[str, dict[str, None]]] = {}
     for rule in rules.values():
         own = phrases.within(rule)
-        points: dict[str, list[str]] = {}
-        for receiver, words in filter(None, (action.points_row(own) for action in rule.actions)):
-            points.setdefault(receiver, []).append(words)
+        points = grouped(filter(None, (action.points_row(own) for action in rule.actions)))
         for receiver, parts in points.items():
             when = says_sentence(phrases, rule) or f"{when_words(rule, phrases)}."
             rows.setdefault(when, {}).setdefault(", plus ".join(parts), {})[receiver] = None

@@ -6,6 +6,7 @@ import json
 import struct
 from collections.abc import Iterator, Mapping
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.messages import MAX_CHARACTERS
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
@@ -42,15 +43,14 @@ def program_sections(scenario: Scenario, phrases: Phrasebook) -> Iterator[Sectio
 
 
 def _received(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
-    hearing: dict[str, list[str]] = {}
-    for name in entrant_of(scenario):
-        if has(scenario, name, SupervisorReceiverDevice):
-            hearing.setdefault(scenario.robots[name].kit, []).append(plain(name))
+    driven = grouped((scenario.robots[name].kit, name) for name in entrant_of(scenario))
+    receiving = (name for name in entrant_of(scenario) if has(scenario, name, SupervisorReceiverDevice))
+    hearing = grouped((scenario.robots[name].kit, name) for name in receiving)
     if not hearing:
         yield "No robot has a receiver of the referee's packets."
     for kit_name, robots in hearing.items():
-        driven = [plain(name) for name in entrant_of(scenario) if scenario.robots[name].kit == kit_name]
-        receivers = f"each robot with the kit {kit_name}" if robots == driven else listed(robots, "and")
+        is_every = robots == driven[kit_name]
+        receivers = f"each robot with the kit {kit_name}" if is_every else listed([*map(plain, robots)], "and")
         yield from _packet(scenario.kits[kit_name], receivers, phrases)
     if hearing and scenario.broadcast is not None:
         yield from _broadcast(scenario.broadcast, [scenario.kits[name] for name in hearing], phrases)
@@ -124,12 +124,11 @@ def _exactly(phrases: Phrasebook, entry: object) -> str:
 
 
 def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
-    by_channels: dict[tuple[int, ...], list[str]] = {}
-    for name in robots_with_emitter(scenario):
-        channels = listening_channels(scenario, devices_of(scenario, name).values())
-        if channels:
-            by_channels.setdefault(channels, []).append(name)
-    for channels, names in by_channels.items():
+    by_channels = grouped(
+        (listening_channels(scenario, devices_of(scenario, name).values()), name)
+        for name in robots_with_emitter(scenario)
+    )
+    for channels, names in ((channels, names) for channels, names in by_channels.items() if channels):
         senders, where = phrases.all_of(tuple(names)).text, listed([str(channel) for channel in channels], "or")
         yield (
             f"The referee receives what {senders} {'sends' if len(names) == 1 else 'send'} with the team emitter on "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.devices.base import Device
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.devices.team_receiver import TeamReceiverDevice
@@ -59,10 +60,9 @@ def has(scenario: Scenario, robot: str, *kinds: type[Device]) -> bool:
 
 
 def _device_rows(scenario: Scenario, robots: list[str]) -> Iterator[tuple[str, str, str]]:
-    carriers: dict[tuple[str, str], list[str]] = {}
-    for robot in robots:
-        for name, device in devices_of(scenario, robot).items():
-            carriers.setdefault((name, device.describe()), []).append(robot)
+    carriers = grouped(
+        ((name, device.describe()), robot) for robot in robots for name, device in devices_of(scenario, robot).items()
+    )
     for (name, words), those in carriers.items():
         yield name, "all" if those == robots else ", ".join(map(plain, those)), words
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rcj_challenges.core.amounts import times
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.actions import ACTIONS
 from rcj_challenges.rules.conditions import CONDITIONS
@@ -115,10 +116,7 @@ def general_notes() -> Iterator[str]:
 
 
 def _exclusive_words(rules: Mapping[str, Rule]) -> Iterator[str]:
-    groups: dict[str, list[str]] = {}
-    for name, rule in rules.items():
-        if rule.exclusive is not None:
-            groups.setdefault(rule.exclusive, []).append(f"[{name}]")
+    groups = grouped((rule.exclusive, f"[{name}]") for name, rule in rules.items() if rule.exclusive is not None)
     for names in (names for names in groups.values() if len(names) > 1):
         one = "only the first that still may counts in a tick; rules “for each” count once for each of them"
         yield f"Of {listed(names, 'and')} {one}."

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.core.grouping import grouped
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.tracking.contacts import APART_S, substeps_apart
@@ -50,9 +51,7 @@ def owners(contacts: Contacts, seats: Sequence[str | None], ticks: int, placed_a
 
     If robots of two seats touch it in one sub-step, it keeps its owner. It loses it when it is put elsewhere.
     """
-    touching: dict[int, list[int]] = {}
-    for substep, robot in zip(contacts.substeps.tolist(), contacts.robots.tolist(), strict=True):
-        touching.setdefault(substep, []).append(robot)
+    touching = grouped(zip(contacts.substeps.tolist(), contacts.robots.tolist(), strict=True))
     changes: list[tuple[int, list[int]]] = [(tick, []) for tick in placed_at]  # before contacts of the next tick
     changes += [(substep // SUBSTEPS_PER_TICK, those) for substep, those in touching.items()]
     found, owner = np.full(ticks, -1), -1
