@@ -149,13 +149,11 @@ def _labels(run: RunRecord) -> dict[tuple[str, str], str]:
 
     The n-th robot of a seat and the n-th of the seat that the team changes to are one, if the same program drives them.
     """
-    changed = teams_by_seat(run.scenario, min(2, run.scenario.match.halves))
-    labels = {}
-    for seat, entrant in run.scenario.entrants.items():
-        others = list(run.scenario.entrants[changed[seat]].robots.items()) if changed[seat] != seat else []
-        for place, (name, program) in enumerate(entrant.robots.items()):
-            twin = others[place][0] if place < len(others) and others[place][1] == program else None
-            labels[seat, name] = name if twin is None else f"{name}/{twin}"
-            if twin is not None:
-                labels[seat, twin] = labels[seat, name]
+    entrants = run.scenario.entrants
+    labels = {(seat, name): name for seat, entrant in entrants.items() for name in entrant.robots}
+    for seat, other in teams_by_seat(run.scenario, min(2, run.scenario.match.halves)).items():
+        pairs = zip(entrants[seat].robots.items(), entrants[other].robots.items(), strict=False)
+        for (name, program), (twin, other_program) in pairs if seat != other else ():
+            if program == other_program:
+                labels[seat, name] = labels[seat, twin] = f"{name}/{twin}"
     return labels
