@@ -48,8 +48,9 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         head = ("obstacle", "place", "what it is", "height", "colour", "can be moved")
         yield Table(head, rows, f"Obstacles at the start of {phrases.period.a}; x and y of the centre in m:")
     if scenario.groups:
-        members = (f"{quoted(group)}: {phrases.members(group)}" for group in scenario.groups)
-        yield Items(tuple(members), "These names stand for several:")
+        groups = {group: phrases.roster.expand(group) for group in scenario.groups}
+        words = (f"{quoted(group)}: {', '.join(map(plain, members))}" for group, members in groups.items())
+        yield Items(tuple(words), "These names stand for several:")
 
 
 def _goals(field: models.FieldModel) -> Iterator[str]:

@@ -136,10 +136,6 @@ class Phrasebook:
         kinds = {_kind(self.scenario, name) for name in self.roster.expand(names)}
         return kinds.pop() if len(kinds) == 1 else ""
 
-    def members(self, group: str) -> str:
-        """Return the members of a group by name."""
-        return ", ".join(map(plain, self.roster.expand(group)))
-
     def may_be(self, at: Any) -> tuple[str, ...]:
         """Return the names for which a name may stand; none for a point."""
         return self.roster.may_be(with_each(at, self.each)) if isinstance(at, str) else ()
