@@ -28,7 +28,7 @@ def snapshot(
 ) -> None:
     """Make a picture of one moment of a record."""
     from rcj_challenges.cli.output_paths import refuse_devices
-    from rcj_challenges.views.video.packages import require_packages
+    from rcj_challenges.views.video.requirements import require_packages
 
     refuse_devices(out=out)
     require_packages("PIL")

@@ -58,7 +58,7 @@ def video(
     from fractions import Fraction
 
     from rcj_challenges.cli.output_paths import refuse_devices
-    from rcj_challenges.views.video.packages import require_packages
+    from rcj_challenges.views.video.requirements import require_packages
 
     refuse_devices(out=out)
     require_packages("av", "PIL")

@@ -8,7 +8,7 @@ from PIL import Image
 
 from rcj_challenges.cli.commands import load_app
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.views.video import make, packages
+from rcj_challenges.views.video import make, requirements
 from tests.made_up_runs import write_made_up_run
 
 
@@ -101,7 +101,7 @@ def test_sizes_have_names_and_snapshots_may_be_odd():
 
 @pytest.mark.parametrize("arguments", [("video",), ("snapshot", "--at", "3")])
 def test_missing_extra_exits_with_2(runs, arguments, monkeypatch):
-    monkeypatch.setattr(packages, "find_spec", lambda _: None)
+    monkeypatch.setattr(requirements, "find_spec", lambda _: None)
     with pytest.raises(RcjError) as error:
         run(*arguments, "--runs", runs)
     assert error.value.code == "missing-extra"

@@ -15,8 +15,8 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import moment_at
 from rcj_challenges.views.video.footage import Footage
-from rcj_challenges.views.video.opengl import offscreen_opengl
 from rcj_challenges.views.video.overlay import bar_height_px
+from rcj_challenges.views.video.requirements import offscreen_opengl
 from tests.made_up_runs import small_scenario, write_made_up_run
 from tests.views.video_scenes import pixel_at
 

@@ -18,8 +18,8 @@ from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.footage import Footage
-from rcj_challenges.views.video.opengl import offscreen_opengl
 from rcj_challenges.views.video.overlay import Overlay
+from rcj_challenges.views.video.requirements import offscreen_opengl
 
 MIN_PX, MAX_PX = 160, 4096
 _NAMED_SIZES = {"480p": (854, 480), "720p": (1280, 720), "1080p": (1920, 1080), "2160p": (3840, 2160)}

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from fractions import Fraction
+from itertools import count
 from pathlib import Path
 
 import av
@@ -29,7 +30,7 @@ def opened_mp4(path: Path, size: tuple[int, int], fps: Fraction, title: str) -> 
         RcjError: it cannot be written.
     """
     temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
-    frames = 0
+    numbers = count()
     try:
         # faststart puts the index first: web players start before they have the whole file.
         with av.open(str(temporary), "w", format="mp4", options={"movflags": "+faststart"}) as container:
@@ -39,11 +40,9 @@ def opened_mp4(path: Path, size: tuple[int, int], fps: Fraction, title: str) -> 
             stream.pix_fmt = "yuv420p"
 
             def add(picture: Image.Image) -> None:
-                nonlocal frames
                 frame = av.VideoFrame.from_ndarray(np.asarray(picture), format="rgb24")
-                frame.pts, frame.time_base = frames, 1 / fps
+                frame.pts, frame.time_base = next(numbers), 1 / fps
                 container.mux(stream.encode(frame))
-                frames += 1
 
             yield add
             container.mux(stream.encode())

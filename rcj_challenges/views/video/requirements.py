@@ -1,4 +1,4 @@
-"""The OpenGL with which MuJoCo draws without a window."""
+"""What videos and pictures need of a computer: optional packages, and the OpenGL with which MuJoCo draws."""
 
 from __future__ import annotations
 
@@ -6,12 +6,26 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 
+from rcj_challenges.core.codes import MISSING_EXTRA
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.views.codes import NO_OPENGL
 
 _OPENING_ERRORS = (ImportError, AttributeError, RuntimeError, OSError)
 """What PyOpenGL and MuJoCo raise where a library or a device is missing."""
+
+
+def require_packages(*packages: str) -> None:
+    """Check that optional packages are installed, before any work is done.
+
+    Raises:
+        RcjError: one is missing.
+    """
+    if missing := [package for package in packages if find_spec(package) is None]:
+        message = f"videos and pictures need optional packages (missing: {', '.join(missing)})"
+        help_ = 'pip install "rcj-challenges[video]"; or watch it in a browser: rcj-challenge view RUN'
+        raise RcjError(message, help_, code=MISSING_EXTRA)
 
 
 @contextmanager
