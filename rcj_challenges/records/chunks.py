@@ -21,6 +21,9 @@ from rcj_challenges.records.lines import json_line, parsed
 MAX_FILE_BYTES = 512_000_000
 """Of a file that is read, packed and unpacked: seventy times a half of ten minutes."""
 
+DAMAGE = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, MemoryError)
+"""Exceptions of json, numpy and arithmetic on what an invalid file holds."""
+
 _MAGIC = b"CHNK"
 _HEAD = struct.Struct("<4sI")
 

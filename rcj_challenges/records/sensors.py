@@ -25,7 +25,7 @@ import numpy.typing as npt
 from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
 from rcj_challenges.devices import device_of_class
 from rcj_challenges.devices.camera import RECOGNITION
-from rcj_challenges.records.chunks import ChunkWriter, read_chunks
+from rcj_challenges.records.chunks import DAMAGE, ChunkWriter, read_chunks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SENSORS
 
@@ -42,9 +42,6 @@ FLOATS_PER_PACKET = 4
 
 _ZLIB_LEVEL = 1
 _NO_PACKET = (math.nan,) * FLOATS_PER_PACKET
-
-DAMAGE = (ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, MemoryError)
-"""Exceptions of json, numpy and arithmetic on an invalid file."""
 
 Array = npt.NDArray[Any]
 Picture = tuple[int, int, bytes]

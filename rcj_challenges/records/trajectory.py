@@ -22,7 +22,7 @@ from pydantic import TypeAdapter
 
 from rcj_challenges.core.play import Fault, HalfInfo, Placement, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
-from rcj_challenges.records.chunks import ChunkWriter, read_chunks
+from rcj_challenges.records.chunks import DAMAGE, ChunkWriter, read_chunks
 from rcj_challenges.records.codes import RECORD_DAMAGED
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY
@@ -36,9 +36,6 @@ _NOT_PACKED = 0  # poses of a simulation are noise in their lower bits: packing 
 _ROWS_AT_ONCE = 512
 _FLOATS_OF_POSES, _FLOATS_BESIDE = 3 * SUBSTEPS_PER_TICK, 2  # of each entity: height and tilt beside its poses
 _NO_TOUCHES = ((),) * SUBSTEPS_PER_TICK
-
-_DAMAGE = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, MemoryError)
-"""Exceptions when reading chunks with invalid JSON."""
 
 Array = npt.NDArray[Any]
 
@@ -262,7 +259,7 @@ class Trajectory:
             entities = tuple(map(str, header["entities"]))
             robots, balls = int(header["robots"]), int(header["balls"])
             things = tuple(map(str, header["things"]))
-        except _DAMAGE as error:
+        except DAMAGE as error:
             raise RecordError(RECORD_DAMAGED, f"{folder.name}: the header of {TRAJECTORY} is damaged") from error
         halves, read = _halves(found.chunks, len(entities), len(things))
         finished = read == len(found.chunks) > 0 and "end" in found.chunks[-1][0]
@@ -285,7 +282,7 @@ def _halves(
             elif "end" not in head:
                 halves[-1].add(head, body)
             read += 1
-    except _DAMAGE:
+    except DAMAGE:
         pass
     return tuple(half.track() for half in halves), read
 
@@ -301,7 +298,7 @@ class _HalfReader:
         self._notes: dict[str, dict[int, Any]] = {"start": {}, "placements": {}, "faults": {}, "told": {}}
 
     def add(self, head: Mapping[str, Any], body: bytes) -> None:
-        """Add a chunk; one that does not fit raises one of `_DAMAGE`, and nothing of it is added."""
+        """Add a chunk; one that does not fit raises one of `DAMAGE`, and nothing of it is added."""
         rows: Array = np.frombuffer(body, self._dtype, head["rows"])
         pairs: Array = np.frombuffer(body, "<u2", offset=rows.nbytes).reshape(-1, 2)
         if len(pairs) != int(rows["touch_counts"].sum(dtype=np.int64)):

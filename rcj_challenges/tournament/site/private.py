@@ -15,7 +15,7 @@ from typing import Any
 from rcj_challenges.core.files import slug
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import LOGS, RESULT, SCENARIO
-from rcj_challenges.records.sensors import DAMAGE, read_sensors
+from rcj_challenges.records.sensors import read_sensors
 from rcj_challenges.tournament.jobs import sizes
 from rcj_challenges.tournament.season import Side
 from rcj_challenges.tournament.site.model import MatchView, Season, driver, team_faults
@@ -129,7 +129,7 @@ def _sensing(facts: dict[str, Any], record: Path, robots: Collection[tuple[int, 
     blocks: dict[str, str] = {}
     try:
         halves = read_sensors(record)
-    except (RecordError, *DAMAGE):
+    except RecordError:
         return blocks
     for number, half in halves.items():
         own = replace(half, robots={name: track for name, track in half.robots.items() if (number, name) in robots})

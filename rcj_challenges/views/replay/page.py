@@ -15,12 +15,13 @@ from typing import Any
 
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.timing import TICK_S
+from rcj_challenges.records.chunks import DAMAGE
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, LogoError, checked_png, logo_path
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.run_record import RunRecord, read_run
-from rcj_challenges.records.sensors import DAMAGE, read_sensors
+from rcj_challenges.records.sensors import read_sensors
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.markup import escaped

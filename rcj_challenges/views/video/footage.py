@@ -18,7 +18,7 @@ from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.run_record import read_run
-from rcj_challenges.records.sensors import DAMAGE, SensorHalf, SensorTrack, read_sensors
+from rcj_challenges.records.sensors import SensorHalf, SensorTrack, read_sensors
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.halves import in_half
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -129,7 +129,7 @@ class Footage:
         names = titles(run.scenario, run.result)
         try:
             sensors, warnings = read_sensors(folder), run.problems
-        except (RecordError, *DAMAGE) as error:
+        except RecordError as error:
             sensors, warnings = {}, (*run.problems, f"the sensor recording is damaged and not shown: {error}")
         return cls(
             scenario=run.scenario,
