@@ -178,7 +178,10 @@ class Referee:
         """Store the snapshot's facts before anything is judged."""
         state, judged = self._state, snapshot.substeps[-1]
         state.before = state.poses
-        state.poses = judged if self._all_present else self._without_parked(judged)
+        if self._all_present:
+            state.poses = judged
+        else:  # what is off the field stays where it was last seen
+            state.poses = [pose if state.present[i] else state.poses[i] for i, pose in enumerate(judged)]
         state.uprights = snapshot.uprights
         if state.ways:
             state.add_ways()
@@ -228,11 +231,6 @@ class Referee:
         self._note_moved({entity})
 
     # --- events of this tick ------------------------------------------------------------------------------------------
-
-    def _without_parked(self, judged: list[tuple[float, float, float]]) -> list[tuple[float, float, float]]:
-        """Return the judged poses; what is off the field stays where it was last seen."""
-        state = self._state
-        return [pose if state.present[i] else state.poses[i] for i, pose in enumerate(judged)]
 
     def _report_moments(self, faults: tuple[Fault, ...]) -> None:
         """Report the moments of this tick: phases entered, events of the tick before, times, faults."""

@@ -18,7 +18,6 @@ from rcj_challenges.tracking.held import Held
 from rcj_challenges.tracking.pose_history import PoseHistory
 
 Number = int | float
-Scalar = str | int | float | bool
 
 
 @dataclass(slots=True)
