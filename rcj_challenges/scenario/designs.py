@@ -259,8 +259,11 @@ def _limit(amount: float, allowance: Allowance) -> str:
 
 def _price(word: Chassis | Device, part: Part) -> int:
     """Return the points of a part: its own, and those of its fields."""
-    amounts = ((_amount(getattr(word, key)), allowance.prices) for key, allowance in part.limits.items())
-    return part.price + sum(next((more for up_to, more in prices if amount <= up_to), 0) for amount, prices in amounts)
+    points = part.price
+    for key, allowance in part.limits.items():
+        amount = _amount(getattr(word, key))
+        points += next((price for up_to, price in allowance.prices if amount <= up_to), 0)
+    return points
 
 
 def _metres_up(length_m: float) -> str:

@@ -211,8 +211,12 @@ def _inside(shape: Shape) -> Callable[[Step], Shape]:
         return lambda step: arguments[1] if isinstance(step, str) else None
     if is_list(kind):
         return lambda step: arguments[0] if isinstance(step, int) else None
-    known: dict[Any, Shape] = fields(kind) if is_model(kind) else {}
-    return (dict(enumerate(arguments)) if get_origin(kind) is tuple else known).get
+    known: dict[Any, Shape] = {}
+    if is_model(kind):
+        known = fields(kind)
+    elif get_origin(kind) is tuple:
+        known = dict(enumerate(arguments))
+    return known.get
 
 
 def shape_at(shape: Shape, root: Node, path: Path) -> Shape:

@@ -149,12 +149,12 @@ def _bodies(scenario: Scenario) -> Iterator[Diagnostic]:
 
 def bodies_at_start(scenario: Scenario) -> Iterator[Body]:
     """Yield what stands on the floor at the start, but robots without a kit and walls that are points."""
-    found = [("robots", name, "start") for name in scenario.robots]
-    found += [("balls", name, "start_m") for name in scenario.balls]
-    found += [("obstacles", name, "") for name, obstacle in scenario.obstacles.items() if not _is_a_point(obstacle)]
-    for section, name, key in found:
-        if name in scenario.robots and scenario.robots[name].kit not in scenario.kits:
-            continue
-        is_fixed = section == "obstacles" and not getattr(scenario.obstacles[name], "movable", False)
-        parts = outline_of(scenario, name).at(start_pose(scenario, name))
-        yield Body(name, (section, name, key) if key else (section, name), parts, is_fixed)
+    paths: dict[str, Path] = {
+        name: ("robots", name, "start") for name, robot in scenario.robots.items() if robot.kit in scenario.kits
+    }
+    paths |= {name: ("balls", name, "start_m") for name in scenario.balls}
+    paths |= {name: ("obstacles", name) for name, obstacle in scenario.obstacles.items() if not _is_a_point(obstacle)}
+    for name, path in paths.items():
+        obstacle = scenario.obstacles.get(name)
+        is_fixed = obstacle is not None and (isinstance(obstacle, Wall) or not obstacle.movable)
+        yield Body(name, path, outline_of(scenario, name).at(start_pose(scenario, name)), is_fixed)

@@ -328,7 +328,9 @@ class _Walker:
         is_of_robots = any(key in node.entries for key in getattr(model, "OF_ROBOTS", ()))
         robots = getattr(model, "OWNER", "") if is_of_robots else ""
         is_bounded = "draw" in node.entries and not _BOUNDS.isdisjoint(node.entries)
-        for key, reference in ((key, one) for _, key, one in refs_of(model) if key in node.entries):
+        for _, key, reference in refs_of(model):
+            if key not in node.entries:
+                continue
             one = replace(reference, **_ONLY_ROBOTS) if key == robots and isinstance(reference, Ref) else reference
             one = replace(one, groups=True) if key == over and isinstance(one, Ref) else one
             one = replace(one, numbers=(-inf, inf)) if is_bounded and isinstance(one, SectionRef) else one

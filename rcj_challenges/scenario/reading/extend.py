@@ -127,8 +127,8 @@ def read_chain(source: Source) -> list[Source]:
 
 
 def _old(source: Source) -> str:
-    is_named = "schema_version" in source.tree.entries
-    return "this form is of version 1 of the language" + (", as is a file without schema_version" * (not is_named))
+    message = "this form is of version 1 of the language"
+    return message if "schema_version" in source.tree.entries else f"{message}, as is a file without schema_version"
 
 
 _FORMS = (

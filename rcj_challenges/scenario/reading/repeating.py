@@ -345,8 +345,12 @@ def merged(problems: Iterable[Diagnostic], repeated: Mapping[tuple[str, str], Re
     found: list[Diagnostic] = []
     for written, copies in about.items():
         of_all = {name for (section, name), one in repeated.items() if (section, one.entry) == entry_of(written)}
-        which = "" if of_all <= copies.keys() else f" ({listing(sorted(copies))})"
-        found += [replace(written, message=written.message + which)] if len(copies) > 1 else copies.values()
+        if len(copies) == 1:
+            found += copies.values()
+        elif of_all <= copies.keys():
+            found.append(written)
+        else:
+            found.append(replace(written, message=f"{written.message} ({listing(sorted(copies))})"))
     return found
 
 

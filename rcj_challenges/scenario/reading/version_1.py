@@ -33,11 +33,16 @@ _OF_ALL = {"counter": "sum", "flag": "highest", "timer": "highest"}
 
 def new_texts(tree: Entries, bases: Sequence[Entries] = ()) -> dict[Mark, tuple[Path, str]]:
     """Bring a file to version 2; return, by place, the path of what was changed there and its new text."""
-    before, found = plain(tree), dict[Mark, tuple[Path, str]]()
+    before = plain(tree)
     to_version_2(tree, bases)
+    found: dict[Mark, tuple[Path, str]] = {}
     for path, now in sorted(_changes(before, tree), key=lambda change: _is_of_section(change[0])):
-        first, text = found.get(now.mark, (path, ""))
-        found[now.mark] = first, f"{text}, and {_written(path, now)}" if text else _written(path, now)
+        text = _written(path, now)
+        if now.mark in found:
+            first, earlier = found[now.mark]
+            found[now.mark] = first, f"{earlier}, and {text}"
+        else:
+            found[now.mark] = path, text
     return found
 
 
@@ -57,6 +62,7 @@ def _changes(before: Any, now: Node, path: Path = ()) -> Iterator[tuple[Path, No
     """Yield the smallest parts that are not as they were before: values of keys, entries of lists or sections."""
     if isinstance(before, dict) and isinstance(now, Entries) and (len(path) < 2 or before.keys() == now.entries.keys()):
         for key, node in now.entries.items():
+            # Of a section that was not there each entry is new.
             yield from _changes(before.get(key, None if path else {}), node, (*path, key))
     elif isinstance(before, list) and isinstance(now, Items) and len(before) == len(now.items):
         for index, node in enumerate(now.items):
