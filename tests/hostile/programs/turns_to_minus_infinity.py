@@ -3,7 +3,7 @@
 #: holds = "the match checks all numbers"
 #: tick = 10
 #: ends = "protocol at 10"
-#: cause = "a position of (-inf|nan) rad"
+#: cause = "a position of (-inf|nan)"
 #: variant = true
 
 
