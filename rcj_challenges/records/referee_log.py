@@ -9,7 +9,7 @@ from pathlib import Path
 from types import NoneType
 from typing import Any
 
-from rcj_challenges.core.amounts import Score, counted
+from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
 from rcj_challenges.core.play import Event, Firing
 from rcj_challenges.records.folder import REFEREE_LOG, read_file
@@ -51,14 +51,6 @@ class RefereeLog:
     ticks: tuple[LoggedTick, ...] = ()
     damaged_lines: int = 0
 
-    @property
-    def damage(self) -> str:
-        """The number of damaged lines, in words without a full stop; empty if none is."""
-        verb = "is" if self.damaged_lines == 1 else "are"
-        return (
-            f"{counted(self.damaged_lines, 'line')} of the referee's log {verb} damaged" if self.damaged_lines else ""
-        )
-
     def up_to(self, ticks: Mapping[int, int]) -> RefereeLog:
         """Return the part up to a tick of each half; of other halves nothing."""
         kept = tuple(one for one in self.ticks if one.tick <= ticks.get(one.half, -1))
@@ -76,8 +68,9 @@ class RefereeLog:
 
 def log_of_result(result: RunResult) -> RefereeLog:
     """Return the events of a result as a log, for a record that has lost it."""
-    events = [(one.half, Event(one.tick, one.event, one.payload)) for one in result.events]
-    return RefereeLog(_by_tick([(half, event.tick, event) for half, event in events]))
+    return RefereeLog(
+        _by_tick([(one.half, one.tick, Event(one.tick, one.event, one.payload)) for one in result.events])
+    )
 
 
 def score_so_far(result: RunResult, scenario: Scenario, log: RefereeLog) -> dict[str, Score]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.codes import RECORD_EMPTY
 from rcj_challenges.records.errors import RecordError
@@ -68,6 +69,8 @@ def read_run(folder: Path) -> RunRecord:
         ticks = sum(half.ticks for half in halves)
         problems.append(f"The recorded poses are damaged: {ticks} ticks of them could be read, {extent}.")
     log = read_referee_log(folder)
-    if log.damage:
-        problems.append(f"{log.damage} and left out.")
+    if log.damaged_lines:
+        are = "is" if log.damaged_lines == 1 else "are"
+        lines = counted(log.damaged_lines, "line")
+        problems.append(f"{lines} of the referee's log {are} damaged and left out.")
     return RunRecord(result, scenario, halves, log, tuple(problems))

@@ -33,7 +33,7 @@ def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
     """
     run = run or read_run(folder)
     notes = [*run.problems]
-    if not run.log.ticks and not run.log.damage:
+    if not run.log.ticks and not run.log.damaged_lines:
         notes.append("The referee's log is missing: no calls are counted, and what awaits a kick-off counts as play.")
     stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])
     counting = _RunCounter(run, stats)
