@@ -72,9 +72,7 @@ class Pace:
 
     def step(self, ticks: int = 1) -> None:
         """Pause, and play so many ticks (at most `MAX_STEPS`)."""
-        with self._turn:
-            self._steps = min(MAX_STEPS, self._steps + ticks)
-        self._set(paused=True, keep_steps=True)
+        self._set(paused=True, more_steps=ticks)
 
     def set_speed(self, speed: float) -> None:
         """Play at another speed: from `SLOWEST` to `FASTEST`, or `MAX_SPEED`.
@@ -93,13 +91,12 @@ class Pace:
             self._free = True
             self._turn.notify_all()
 
-    def _set(self, *, paused: bool | None = None, speed: float | None = None, keep_steps: bool = False) -> None:
+    def _set(self, *, paused: bool | None = None, speed: float | None = None, more_steps: int = 0) -> None:
         with self._turn:
             before = self.state
             self._paused = self._paused if paused is None else paused
             self._speed = self._speed if speed is None else speed
-            if not keep_steps:
-                self._steps = 0
+            self._steps = min(MAX_STEPS, self._steps + more_steps) if more_steps else 0
             self._free = self._over or (self._speed == MAX_SPEED and not self._paused)
             self._anchor_tick = -1
             self._turn.notify_all()
@@ -108,15 +105,13 @@ class Pace:
             self._changed(now)
 
     def _wait_s(self, tick: int) -> float:
-        if self._over:
+        if self._free:
             return 0.0
         if self._paused:
             if self._steps:
                 self._steps -= 1
                 return 0.0
             return math.inf
-        if self._speed == MAX_SPEED:
-            return 0.0
         now_s = self._clock()
         due_s = self._anchor_s + (tick - self._anchor_tick) * TICK_S / self._speed
         again, self._last_tick = tick < self._last_tick, tick
