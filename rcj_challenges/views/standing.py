@@ -36,7 +36,6 @@ class RankingCounters:
         counted = counters_in(scenario.result.rank)
         self._names, self._counted = tuple(counted), tuple(counted.values())
         self._over: list[HalfValues] = []
-        self._half: HalfInfo | None = None
         self._state: State | None = None
         self._latest: HalfValues | None = None
 
@@ -45,16 +44,15 @@ class RankingCounters:
         if self._latest is not None:
             self._over.append(self._latest)
         kept = {} if self._state is None else self._state.kept()
-        self._half, self._latest = replace(half, kept=kept), None
-        self._state = State(self._scenario, self._roster, self._half)
+        self._latest, self._state = None, State(self._scenario, self._roster, replace(half, kept=kept))
         self._values = RankedValues(self._counted, self._state)
 
     def by_team(self, counters: Mapping[str, Any]) -> dict[str, list[Value]] | None:
         """Return the current values by team, in the order of `counted_names`; None if a counter is missing."""
-        if any(name not in counters for name in self._names) or self._state is None or self._half is None:
+        if any(name not in counters for name in self._names) or self._state is None:
             return None
         self._state.counters.update(counters)
-        self._latest = self._values.read(self._half)
+        self._latest = self._values.read(self._state.half)
         halves = [*self._over, self._latest]
         return {team: over_halves(self._counted, team, halves) for team in self._latest}
 
