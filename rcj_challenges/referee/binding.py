@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any, TypeVar
 
 from rcj_challenges.referee.bodies import PlacementBoard
@@ -89,10 +90,10 @@ class RuleBinder(NameScope):
         return free
 
     def assign(self, name: str, value: Scalar | None) -> None:
-        self._context.assign(name, lambda: self.state.set_draw(name, value))
+        self._context.assign(name, partial(self.state.set_draw, name, value))
 
     def assign_next(self, name: str) -> None:
-        self._context.assign(name, lambda: self.state.assign_next(name))
+        self._context.assign(name, partial(self.state.assign_next, name))
 
     def is_on_floor(self, point: Point) -> bool:
         return self._context.bodies.floor.has(point)
