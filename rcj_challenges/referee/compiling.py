@@ -92,8 +92,8 @@ class CompileContext:
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
         """Reset a tracker whenever one of the draws among these names, or at which circles sit, decides otherwise."""
-        zones = map(self.scenario.zones.get, self.roster.may_be(names))
-        for name in (*names, *(getattr(zone, "anchor", None) for zone in zones)):
+        anchors = [getattr(self.scenario.zones.get(name), "anchor", None) for name in self.roster.may_be(names)]
+        for name in (*names, *anchors):
             if name in self.roster.drawn or name in self.roster.roles:
                 self._by_draw.setdefault(name, {})[tracker] = None
 

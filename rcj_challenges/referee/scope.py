@@ -91,9 +91,11 @@ class NameScope:
         self, section: str, name: str, names: Names
     ) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
         per = getattr(self.scenario, section)[name].per
-        if per == ENTRANTS or self.for_each != ENTRANTS:
-            entrants = self.entrants(names) if per == ENTRANTS else ()
-            return (entrants, lambda: entrants) if per == ENTRANTS else self.group(names)
+        if per == ENTRANTS:
+            entrants = self.entrants(names)
+            return entrants, lambda: entrants
+        if self.for_each != ENTRANTS:
+            return self.group(names)
         (members, members_now), owners = self.group(names), self.roster.keepers(per)
         has_one = owners.__contains__
         return tuple(filter(has_one, members)), lambda: tuple(filter(has_one, members_now()))
