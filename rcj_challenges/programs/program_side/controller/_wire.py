@@ -88,7 +88,10 @@ class Wire:
     def _receive_in_pieces(self, held: bytes) -> bytes:
         if not held:
             leave(1)
-        while len(held) < 4 or len(held) < (end := 4 + _LENGTH.unpack_from(held)[0]):
+        while len(held) < 4:
+            held += os.read(self._read_fd, _LARGE_READ) or leave(1)
+        end = 4 + _LENGTH.unpack_from(held)[0]
+        while len(held) < end:
             held += os.read(self._read_fd, _LARGE_READ) or leave(1)
         self._rest = held[end:]
         return held[:end]

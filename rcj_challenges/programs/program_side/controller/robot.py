@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 def _class_of(kind: str) -> Any:
     """Return the class of a kind of devices; that of a kind which Webots does not have is in the module of its name."""
     name, package = class_name(kind), sys.modules[__package__]
-    return getattr(package if name in package.__all__ else __import__(kind, globals(), None, [name], 1), name)
+    module = package if name in package.__all__ else __import__(kind, globals(), None, [name], 1)
+    return getattr(module, name)
 
 
 class Robot:
