@@ -30,8 +30,8 @@ NOT_UTF8 = Code("not-utf8", page="""
 The file is not saved in UTF-8.
 Save it as UTF-8; editors offer this when they save a file.""")
 OLD_LANGUAGE = Code("old-language", page="""
-The file says something as version 1 of the language did, or names no version and says it so.
-The help has the new text for this place. Change schema_version last: until then, all that is different in version 2 is
+Something is written as in version 1 of the language. A file without schema_version counts as one of version 1.
+The help shows what to write instead. Change schema_version last: until then, all that is different in version 2 is
 reported. Records and tournaments that were made with version 1 open as they are.""")
 SCENARIO_TOO_LARGE = Code("scenario-too-large", page="""
 The scenario, with the files that it extends, has more bytes, entries or values than any contest needs.

@@ -328,7 +328,7 @@ class Scenario(Strict):
     """A challenge: field, robots, rules and everything else that decides a result."""
 
     schema_version: Literal[2] = described(
-        ..., "version of this format; for a file of version 1, errors have the new texts"
+        ..., "version of this format; errors about a file of version 1 show what to write instead"
     )
     id: Name = described(..., "short name, after which record folders are named")
     title: str = described(..., "title for display", min_length=1, max_length=120)
