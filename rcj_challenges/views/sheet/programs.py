@@ -128,7 +128,9 @@ def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         (listening_channels(scenario, devices_of(scenario, name).values()), name)
         for name in robots_with_emitter(scenario)
     )
-    for channels, names in ((channels, names) for channels, names in by_channels.items() if channels):
+    for channels, names in by_channels.items():
+        if not channels:
+            continue
         senders, where = phrases.all_of(tuple(names)).text, listed([str(channel) for channel in channels], "or")
         yield (
             f"The referee receives what {senders} {'sends' if len(names) == 1 else 'send'} with the team emitter on "
