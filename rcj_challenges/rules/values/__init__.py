@@ -115,7 +115,12 @@ def compile_limit(
     if isinstance(limit, int | float):
         return lambda: limit
     read, firing = compile_duration(limit, to, least, most), Firing(to.rule, None, "")
-    return lambda: none if (value := read(firing)) is None else value
+
+    def limit_now() -> float:
+        value = read(firing)
+        return none if value is None else value
+
+    return limit_now
 
 
 # --- what the sheet says of them --------------------------------------------------------------------------------------
