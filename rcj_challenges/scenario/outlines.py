@@ -158,6 +158,7 @@ def _nearest(corners: Points, polygon: Points) -> float:
 # Walls are solid far beyond their real thickness here, as nothing can stand in or behind them. What is placed outside
 # the box around field and goals is refused before any wall is looked at, however far out it is.
 _SOLID_M = 10.0
+_NEARER = 1 - 1e-5
 
 
 def _solid_walls(field: FieldModel) -> tuple[Part, ...]:
@@ -195,8 +196,10 @@ class Floor:
         self._reach_m = field.bounds.reach_m
 
     def has(self, point: Point) -> bool:
-        """Return whether a point is on the floor."""
-        return self.holds((Part((point,)),))
+        """Return whether a point is on the floor, or on its edge."""
+        x, y = point
+        # Nearer to the centre, because a point on the edges of two walls, as where a corner is cut, is inside neither.
+        return self.holds((Part(((x * _NEARER, y * _NEARER),)),))
 
     def holds(self, parts: Sequence[Part]) -> bool:
         """Return whether a body stands on the floor without being in a wall."""

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.chassis.differential import DifferentialChassis
 from rcj_challenges.geometry.polygons import box, is_simple
-from rcj_challenges.scenario.outlines import Outline, Part, disc, extent, overlap
+from rcj_challenges.scenario.outlines import Floor, Outline, Part, disc, extent, overlap
 from tests.scenario.writing import complaints, errors, loaded, rule
 
 ROBOT = DifferentialChassis()
@@ -215,3 +215,11 @@ def test_a_random_point_needs_a_bounded_zone(zone, bounded):
 )
 def test_field_gates_and_obstacles_have_extent(text, expected):
     assert complaints(text) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("point", "is_on_floor"),
+    [((0.65, 0.75), False), ((-0.65, 0.75), False), ((0.6, -0.75), False), ((0.65, 0.0), True), ((0.2, 0.85), True)],
+)
+def test_a_point_on_the_edge_is_on_the_floor_but_not_where_the_corner_is_cut(point, is_on_floor):
+    assert Floor(loaded("").scenario.field).has(point) == is_on_floor
