@@ -55,7 +55,9 @@ def _written(path: Path, node: Node) -> str:
     key, value = path[-1], plain(node)
     if isinstance(key, int):
         return on_one_line(value)
-    return on_one_line({path[0]: {key: value}} if _is_of_section(path) else {key: value})[1:-1]
+    text = on_one_line({path[0]: {key: value}} if _is_of_section(path) else {key: value})[1:-1]
+    # A file that says version 2 is no longer searched for old forms.
+    return f"{text}, after all other changes" if key == "schema_version" else text
 
 
 def _changes(before: Any, now: Node, path: Path = ()) -> Iterator[tuple[Path, Node]]:
