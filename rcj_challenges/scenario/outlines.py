@@ -13,10 +13,11 @@ from math import inf, sqrt
 
 from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.geometry.polygons import Point, box, distance_to_segment_m, turned
+from rcj_challenges.geometry.polygons import Point, box, distance_to_segment_m, side, turned
 from rcj_challenges.scenario.kits import chassis_of
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Wall
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.shapes import floor_of, goal_floor
 
 Points = tuple[Point, ...]
 
@@ -158,7 +159,6 @@ def _nearest(corners: Points, polygon: Points) -> float:
 # Walls are solid far beyond their real thickness here, as nothing can stand in or behind them. What is placed outside
 # the box around field and goals is refused before any wall is looked at, however far out it is.
 _SOLID_M = 10.0
-_NEARER = 1 - 1e-5
 
 
 def _solid_walls(field: FieldModel) -> tuple[Part, ...]:
@@ -194,12 +194,14 @@ class Floor:
         # With where they reach from and to, so that few have to be looked at closely.
         self._walls = [(*extent([wall]), wall) for wall in _solid_walls(field)]
         self._reach_m = field.bounds.reach_m
+        outlines = (floor_of(field.bounds), *(goal_floor(goal, field) for goal in field.goals.values()))
+        self._parts = [counter_clockwise(tuple(outline)) for outline in outlines]  # all are convex
 
     def has(self, point: Point) -> bool:
         """Return whether a point is on the floor, or on its edge."""
-        x, y = point
-        # Nearer to the centre, because a point on the edges of two walls, as where a corner is cut, is inside neither.
-        return self.holds((Part(((x * _NEARER, y * _NEARER),)),))
+        return any(
+            all(side(a, b, point) >= 0 for a, b in zip(part, (*part[1:], part[0]), strict=True)) for part in self._parts
+        )
 
     def holds(self, parts: Sequence[Part]) -> bool:
         """Return whether a body stands on the floor without being in a wall."""
