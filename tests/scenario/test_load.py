@@ -44,6 +44,12 @@ def test_the_smallest_scenario():
     assert load_text(json.dumps(fields)).scenario == Scenario.model_validate(fields)
 
 
+def test_a_text_extends_what_is_shipped_whatever_lies_in_the_current_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("slalom.yaml").write_text("id: own\n", encoding="utf-8")
+    assert "finish" in load_text(HEAD.replace("soccersim_v2", "slalom")).scenario.gates
+
+
 def problem_at(line, column, path=""):
     return Diagnostic(WRONG_VALUE, "m", where=InFile("f", line, column, path))
 

@@ -61,12 +61,12 @@ class Source:
 
     @classmethod
     def of_text(cls, text: str, shown: str) -> Source:
-        """Read a text.
+        """Read a text, which stands beside the shipped scenarios: files of the current folder are not its own.
 
         Raises:
             ScenarioError: it is not strict YAML.
         """
-        return cls(_mapping(parse_text(text, shown)), shown, Path(shown))
+        return cls(_mapping(parse_text(text, shown)), shown, SCENARIOS_FOLDER / shown)
 
 
 def _mapping(node: Node) -> Entries:
