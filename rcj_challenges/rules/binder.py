@@ -107,7 +107,7 @@ class Binder(Scope, Protocol):
     """For each draw that decides on a place: the places."""
 
     def watched(self, condition: Any) -> tuple[int, ...]:
-        """Return the entities whose placement changes a condition, whoever has the roles that it names."""
+        """Return the entities whose placement changes a condition, with all that may have its roles."""
 
     def gate(self, name: str) -> GateLine:
         """Return a gate."""

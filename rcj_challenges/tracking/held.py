@@ -21,7 +21,7 @@ class Held:
         self._until: dict[int, float] = {}
 
     def holds(self, robot: int) -> bool:
-        """Return whether a robot is held, whoever does it."""
+        """Return whether a robot is held, by a phase or by a rule."""
         return self.by_phase or robot in self.by_rules
 
     def hold(self, robots: Iterable[int], until: float) -> None:
