@@ -147,13 +147,14 @@ def _planned(folder: Path) -> tuple[str, dict[str, Any]]:
     """Put the last match on the stage; return the address of its feed, and its times."""
     from django.utils import timezone  # noqa: PLC0415 - once Django is set up
 
-    from rcj_challenges.web import jobs, stage  # noqa: PLC0415
-    from rcj_challenges.web.models import Season, Show  # noqa: PLC0415
+    from rcj_challenges.web import jobs, seasons, stage  # noqa: PLC0415
+    from rcj_challenges.web.models import Show  # noqa: PLC0415
 
     stage.LEAD = timedelta(seconds=_LEAD_S)
     with jobs.writing():
         stage.take_off(Show.objects.all())
-    found = stage.schedule(stage.candidates(Season.objects.get())[0], timezone.now(), timezone.now(), is_chosen=True)
+    match = stage.candidates(seasons.shown_basis(seasons.current()))[0]
+    found = stage.schedule(match, timezone.now(), timezone.now(), is_chosen=True)
     assert found is not None
     release = json.loads((folder / "live" / str(found.pk) / "release.json").read_text(encoding="ascii"))
     return f"/live/{found.pk}/feed?from=0", release

@@ -21,7 +21,6 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.tournament.records import sizes
 from rich.console import Console
 from sqlalchemy import insert
 
@@ -34,6 +33,7 @@ from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.executor import LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker, summary_of
+from rcj_challenges.tournament.jobs import sizes
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.runner import Runner

@@ -65,11 +65,10 @@ def match_of(seconds: float, out: Path, show: LiveShow | None = None) -> tuple[P
     """Play a half with six trivial programs; returns the folder of its record, and its wall time in s."""
     loaded = load("match", ["match.halves=1", f"match.half_s={seconds:g}"])
     seats = tuple(loaded.scenario.entrants.values())
-    with contextlib.ExitStack() as stack:
-        teams = {seat: stack.enter_context(open_team(PROGRAM, *seats)) for seat in loaded.scenario.entrants}
-        plan = MatchPlan(loaded, teams, {}, seed=3, out=out)
-        observer = Observer() if show is None else ObserverGroup(Observer(), show.observer)
-        played = play_match(plan, observer)
+    teams = {seat: open_team(PROGRAM, *seats) for seat in loaded.scenario.entrants}
+    plan = MatchPlan(loaded, teams, {}, seed=3, out=out)
+    observer = Observer() if show is None else ObserverGroup(Observer(), show.observer)
+    played = play_match(plan, observer)
     return played.folder, float(played.result["wall_s"])
 
 
