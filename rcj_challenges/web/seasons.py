@@ -111,6 +111,8 @@ def end(season: Season, now: datetime) -> None:
     """End the ladder of a season: nothing more is played, and its secret is shown."""
     with jobs.writing():
         if Season.objects.filter(pk=season.pk, begun_at__isnull=False, ended_at=None).update(ended_at=now):
+            # A match whose result is being stored is waited for: it has been played.
+            list(Job.objects.select_for_update(of=("self",)).filter(match__basis__season=season).values_list("pk"))
             Match.objects.filter(basis__season=season, played_at=None).delete()
 
 
