@@ -48,9 +48,7 @@ class CameraDevice(Device):
     below_horizon: NotNegative = described(0.62, "share of the rows that show what is lower than the camera", le=1)
     ahead_m: NotNegative = described(0.03, "distance from the robot's centre along the bearing in m")
     height_m: Positive = described(0.06, "height above the floor in m", le=1)
-    light: tuple[Positive, Positive] = described(
-        (1.0, 1.0), "smallest and largest brightness; drawn anew for each half"
-    )
+    light: tuple[Positive, Positive] = described((1.0, 1.0), "smallest and largest brightness; each half draws its own")
 
     recognition: bool = described(
         False, "whether it recognizes robots, balls and obstacles by itself, without their pictures"

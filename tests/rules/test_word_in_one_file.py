@@ -56,7 +56,7 @@ def test_registered_word_is_explained_on_the_sheet(toys, kind, sentence):
     ("kind", "fields"),
     [
         ("trigger", ["trigger", "entity", "distance_m"]),
-        ("condition", ["right_of", "whom"]),
+        ("condition", ["right_of", "beside"]),
         ("action", ["action", "counter"]),
         ("place", ["on_circle", "radius_m"]),
         ("value", ["y_of"]),

@@ -58,7 +58,7 @@ print(
     json.dumps(
         {
             "trigger": report(Strays, "strays, entity: ball"),
-            "condition": report(RightOf, "whom: ball"),
+            "condition": report(RightOf, "beside: ball"),
             "action": report(Double, "counter: stake"),
             "place": report(OnCircle, "on_circle: middle_yellow"),
             "value": report(YOf, "y_m: {y_of: ball"),

@@ -12,14 +12,14 @@ class RightOf(Condition):
     """Whether an entity is further to the right than a line along the field."""
 
     right_of: float = described(..., "x of the line in m")
-    whom: Annotated[Name, ENTITY] = described(..., "which")
+    beside: Annotated[Name, ENTITY] = described(..., "which")
 
     KEY = "right_of"
     EXAMPLE = """
 rules:
   goal_from_the_right:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{right_of: 0.05, whom: ball}]
+    conditions: [{right_of: 0.05, beside: ball}]
     actions: [{action: score, entrant: yellow}]
 expect:
   only_the_second_one_counts:
@@ -33,9 +33,9 @@ expect:
 
     def test(self, to: Binder) -> Test:
         """Return whether the entity is to the right of the line."""
-        state, entity, x_m = to.state, to.entities(self.whom)[0], self.right_of
+        state, entity, x_m = to.state, to.entities(self.beside)[0], self.right_of
         return lambda: state.poses[entity][0] > x_m
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
-        return f"{phrases.thing(self.whom)} is {'not ' * self.negate}more than {metres(self.right_of)} to the right"
+        return f"{phrases.thing(self.beside)} is {'not ' * self.negate}more than {metres(self.right_of)} to the right"
